@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "assessment.h"
+
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+namespace npfem::app {
+
+std::vector<flow::Limit> limits_of(const flow::Scene& scene) {
+  return accuracy_limits(scene.setup, scene.largest_velocity, scene.largest_shear_rate);
+}
+
+void print_limits(const std::vector<flow::Limit>& limits) {
+  for (const flow::Limit& limit : limits) {
+    std::printf("  %-24s %-10.3g %-9s up to %.3g (good), %.3g (fair): %s\n", limit.name.c_str(), limit.value,
+                verdict_name(limit.verdict).c_str(), limit.strict_bound, limit.bound, limit.advice.c_str());
+  }
+}
+
+nlohmann::ordered_json limits_as_json(const std::vector<flow::Limit>& limits) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const flow::Limit& limit : limits) {
+    list.push_back({{"name", limit.name},
+                    {"meaning", limit.meaning},
+                    {"value", limit.value},
+                    {"good_up_to", limit.strict_bound},
+                    {"fair_up_to", limit.bound},
+                    {"verdict", verdict_name(limit.verdict)},
+                    {"advice", limit.advice}});
+  }
+  return list;
+}
+
+}  // namespace npfem::app

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace npfem::app {
+
+/// How a run gets on, on the error stream: one line that rewrites itself on a terminal, a new line every few seconds
+/// elsewhere.
+class Progress {
+ public:
+  struct Work {
+    std::int64_t steps;         ///< of the whole run
+    double nodes_per_step;      ///< fluid nodes
+    double cell_steps_per_step; ///< cells, over the fluid steps per step of the cell solver
+  };
+  Progress(bool shown, const Work& work);
+
+  void step_done(std::int64_t steps_done);
+  void finish(std::int64_t steps_done);
+  double seconds() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void print(std::int64_t steps_done);
+
+  bool shown_;
+  bool terminal_;
+  Work work_;
+  Clock::time_point start_;
+  double last_print_ = 0;
+};
+
+}  // namespace npfem::app

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MPL-2.0
+// npfem plan: what a scene would compute, why, and what it would cost.
+#include <cstdio>
+#include <iostream>
+#include <numeric>
+
+#include <nlohmann/json.hpp>
+
+#include "assessment.h"
+#include "scene/make_cells.h"
+#include "scene/scene.h"
+#include "scene_options.h"
+#include "session.h"
+#include "units.h"
+
+namespace npfem::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// rough rates of one core, for the estimate of cost only
+constexpr double nodes_per_second = 8e6;
+constexpr double vertex_steps_per_second = 2.5e5;
+
+// numbers kept per node: two sets of 19 populations, force, velocity
+constexpr double bytes_per_node = 8.0 * (2 * 19 + 3 + 3);
+// numbers kept per vertex of a cell: its fields, and the solver's vectors and history
+constexpr double bytes_per_vertex = 8.0 * 70;
+
+std::int64_t count_fluid_nodes(const flow::Domain& domain) {
+  std::int64_t fluid = 0;
+  for (int k = 0; k < domain.nodes[2]; ++k) {
+    for (int j = 0; j < domain.nodes[1]; ++j) {
+      for (int i = 0; i < domain.nodes[0]; ++i) fluid += domain.node_kind({i, j, k}) == 0 ? 1 : 0;
+    }
+  }
+  return fluid;
+}
+
+const char* name_of(flow::DomainKind kind) {
+  switch (kind) {
+    case flow::DomainKind::tube: return "tube";
+    case flow::DomainKind::shear_box: return "shear_box";
+    case flow::DomainKind::plates: return "plates";
+    case flow::DomainKind::periodic_box: break;
+  }
+  return "periodic_box";
+}
+
+std::vector<std::string> energies_of(const api::Model& model) {
+  std::vector<std::string> names;
+  const int count = api::check(npfem_model_energy_count(model.handle()));
+  for (int i = 0; i < count; ++i) {
+    names.push_back(api::text_of(
+        [&](char* b, std::int32_t n) { return api::check(npfem_model_energy_name(model.handle(), i, b, n)); }));
+  }
+  return names;
+}
+
+Json describe_cells(const flow::Scene& scene, const std::vector<int>& counts) {
+  const std::vector<double> shares = haematocrit_by_type(scene.setup, counts);
+  Json list = Json::array();
+  for (std::size_t type = 0; type < counts.size(); ++type) {
+    const api::Model& model = *scene.setup.types[type].model;
+    list.push_back({{"name", scene.setup.types[type].name},
+                    {"cells", counts[type]},
+                    {"haematocrit", shares[type]},
+                    {"vertices", model.vertices()},
+                    {"triangles", model.triangle_count()},
+                    {"rest_area_um2", model.measure("rest_area")},
+                    {"rest_volume_um3", model.measure("rest_volume")},
+                    {"shear_modulus_uN_per_m", model.measure("shear_modulus")},
+                    {"largest_modulus_uN_per_m", model.measure("largest_modulus")},
+                    {"energies", energies_of(model)}});
+  }
+  return list;
+}
+
+Json describe(const flow::Scene& scene) {
+  const flow::Setup& setup = scene.setup;
+  const std::vector<int> counts = cell_counts(scene);
+  const flow::Units units{setup.domain.dx, setup.time_step, setup.density};
+  const std::int64_t fluid_nodes = count_fluid_nodes(setup.domain);
+  double vertices = 0;
+  for (std::size_t type = 0; type < counts.size(); ++type) {
+    vertices += static_cast<double>(counts[type]) * setup.types[type].model->vertices();
+  }
+  const auto& n = setup.domain.nodes;
+  const double stored_nodes = (n[0] + 4.0) * (n[1] + 4.0) * (n[2] + 4.0);  // with the halo of one rank
+  const bool several = std::accumulate(counts.begin(), counts.end(), 0) > 1;
+  return {{"title", scene.title},
+          {"domain", {{"kind", name_of(setup.domain.kind)},
+                      {"size_um", setup.domain.size()},
+                      {"dx_um", setup.domain.dx},
+                      {"nodes", n},
+                      {"fluid_nodes", fluid_nodes},
+                      {"fluid_volume_um3", setup.domain.fluid_volume()}}},
+          {"fluid", {{"density_kg_per_m3", setup.density},
+                     {"kinematic_viscosity_um2_per_us", setup.kinematic_viscosity},
+                     {"time_step_us", setup.time_step},
+                     {"tau", units.relaxation_time(setup.kinematic_viscosity)}}},
+          {"flow", {{"largest_velocity_um_per_us", scene.largest_velocity},
+                    {"largest_shear_rate_per_us", scene.largest_shear_rate},
+                    {"starts_developed", setup.start_developed}}},
+          {"coupling", {{"active", vertices > 0},
+                        {"scheme", setup.coupling.scheme == flow::CouplingScheme::implicit ? "implicit" : "peskin"},
+                        {"kernel_points", setup.coupling.kernel_points},
+                        {"fluid_steps_per_cell_step", setup.coupling.steps_per_solve}}},
+          {"repulsion", {{"between_cells", several && setup.cell_repulsion.range > 0},
+                         {"from_walls", vertices > 0 && setup.domain.kind != flow::DomainKind::periodic_box &&
+                                            setup.wall_repulsion.range > 0}}},
+          {"cells", describe_cells(scene, counts)},
+          {"run", {{"steps", scene.steps}, {"time_us", static_cast<double>(scene.steps) * setup.time_step}}},
+          {"memory_MB", {{"fluid", stored_nodes * bytes_per_node * 1e-6}, {"cells", vertices * bytes_per_vertex * 1e-6}}},
+          {"seconds_per_step_on_one_core",
+           {{"fluid", static_cast<double>(fluid_nodes) / nodes_per_second},
+            {"cells", vertices / vertex_steps_per_second / setup.coupling.steps_per_solve}}},
+          {"limits", limits_as_json(limits_of(scene))}};
+}
+
+double number(const Json& json, const char* group, const char* key) { return json.at(group).at(key).get<double>(); }
+
+void print_cells(const Json& plan) {
+  for (const Json& type : plan.at("cells")) {
+    std::printf("cells     %d x %s, haematocrit %.4f: %d vertices, %.1f um2, %.1f um3; energies",
+                type.at("cells").get<int>(), type.at("name").get<std::string>().c_str(),
+                type.at("haematocrit").get<double>(), type.at("vertices").get<int>(),
+                type.at("rest_area_um2").get<double>(), type.at("rest_volume_um3").get<double>());
+    for (const Json& energy : type.at("energies")) std::printf(" %s", energy.get<std::string>().c_str());
+    std::printf("\n");
+  }
+}
+
+void print_active(const Json& plan) {
+  if (!plan.at("coupling").at("active").get<bool>()) {
+    std::puts("coupling  none: there are no cells");
+    return;
+  }
+  std::printf("coupling  %s, %d-point kernel, cells solved every %d fluid step(s)\n",
+              plan.at("coupling").at("scheme").get<std::string>().c_str(),
+              plan.at("coupling").at("kernel_points").get<int>(),
+              plan.at("coupling").at("fluid_steps_per_cell_step").get<int>());
+  std::printf("repulsion between cells: %s; from walls: %s\n",
+              plan.at("repulsion").at("between_cells").get<bool>() ? "yes" : "no (one cell, or range 0)",
+              plan.at("repulsion").at("from_walls").get<bool>() ? "yes" : "no (no walls, or range 0)");
+}
+
+void print(const Json& plan, const flow::Scene& scene) {
+  const auto& n = scene.setup.domain.nodes;
+  std::printf("%s\n", scene.title.c_str());
+  std::printf("domain    %s, %d x %d x %d nodes of %.4g um, %.0f of them fluid\n",
+              plan.at("domain").at("kind").get<std::string>().c_str(), n[0], n[1], n[2], scene.setup.domain.dx,
+              number(plan, "domain", "fluid_nodes"));
+  std::printf("fluid     tau %.4g, time step %.4g us, kinematic viscosity %.4g mm2/s\n", number(plan, "fluid", "tau"),
+              scene.setup.time_step, scene.setup.kinematic_viscosity);
+  std::printf("flow      up to %.4g mm/s and %.4g 1/s without cells\n", 1e3 * scene.largest_velocity,
+              1e6 * scene.largest_shear_rate);
+  print_cells(plan);
+  print_active(plan);
+  const double seconds = number(plan, "seconds_per_step_on_one_core", "fluid") +
+                         number(plan, "seconds_per_step_on_one_core", "cells");
+  std::printf("run       %lld steps, %.4g us\n", static_cast<long long>(scene.steps), number(plan, "run", "time_us"));
+  std::printf("memory    about %.0f MB fluid, %.1f MB cells\n", number(plan, "memory_MB", "fluid"),
+              number(plan, "memory_MB", "cells"));
+  std::printf("cost      about %.3g s per step on one core (fluid %.3g, cells %.3g), %.3g s in all\n", seconds,
+              number(plan, "seconds_per_step_on_one_core", "fluid"),
+              number(plan, "seconds_per_step_on_one_core", "cells"), seconds * static_cast<double>(scene.steps));
+  std::puts("limits");
+  print_limits(limits_of(scene));
+}
+
+}  // namespace
+
+Action add_plan(CLI::App& program) {
+  const auto options = std::make_shared<SceneOptions>();
+  const auto as_json = std::make_shared<bool>(false);
+  CLI::App* command = program.add_subcommand("plan", "say what a scene computes and what it costs");
+  options->add_to(*command);
+  command->add_flag("--json", *as_json, "print the plan as JSON");
+  return [options, as_json](Session& session) {
+    if (!session.first()) return static_cast<int>(done);
+    flow::Scene scene = flow::read_scene(options->path, options->assignments);
+    flow::make_types(scene);
+    const Json plan = describe(scene);
+    if (*as_json) std::cout << plan.dump(2) << "\n";
+    if (!*as_json) print(plan, scene);
+    return static_cast<int>(done);
+  };
+}
+
+}  // namespace npfem::app

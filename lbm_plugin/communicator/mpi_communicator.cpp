@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "communicator/mpi_communicator.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "communicator/part_file.h"
+
+namespace npfem::flow {
+namespace {
+
+constexpr int kExchangeTag = 1;
+constexpr int kSendReceiveTag = 2;
+constexpr std::size_t kLargestWrite = std::size_t{1} << 30;  // one MPI call counts in int
+
+int count_of(std::size_t size) {
+  if (size > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+    throw std::length_error("a message of " + std::to_string(size) +
+                            " items; MPI sends at most 2147483647: use more ranks");
+  }
+  return static_cast<int>(size);
+}
+
+// A waiting rank spins by default, and starves the rank it waits for where they share a processor.
+void yield_when_oversubscribed() {
+  const char* local_ranks = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+  if (local_ranks == nullptr) return;
+  if (std::strtoul(local_ranks, nullptr, 10) > std::thread::hardware_concurrency()) {
+    setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
+  }
+}
+
+class MpiSession {
+ public:
+  MpiSession(int* argc, char*** argv) {
+    int started = 0;
+    MPI_Initialized(&started);
+    if (started != 0) throw std::logic_error("MPI is started once in a process, and it has been");
+    yield_when_oversubscribed();
+    int provided = 0;
+    MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided);
+  }
+  MpiSession(const MpiSession&) = delete;
+  MpiSession& operator=(const MpiSession&) = delete;
+  ~MpiSession() { MPI_Finalize(); }
+};
+
+std::string mpi_message(int error) {
+  std::array<char, MPI_MAX_ERROR_STRING> text{};
+  int length = 0;
+  MPI_Error_string(error, text.data(), &length);
+  return {text.data(), static_cast<std::size_t>(length)};
+}
+
+template <class T>
+void reduce(std::span<T> values, MPI_Datatype type, MPI_Op operation) {
+  MPI_Allreduce(MPI_IN_PLACE, values.data(), count_of(values.size()), type, operation, MPI_COMM_WORLD);
+}
+
+// What is left of a rank's chunks, handed out in pieces that one MPI call can write.
+class ChunkQueue {
+ public:
+  explicit ChunkQueue(std::span<const Chunk> chunks) : chunks_(chunks) {}
+
+  Chunk next() {
+    while (!chunks_.empty() && done_ == chunks_.front().bytes.size()) {
+      chunks_ = chunks_.subspan(1);
+      done_ = 0;
+    }
+    if (chunks_.empty()) return {};
+    const Chunk& chunk = chunks_.front();
+    const std::size_t size = std::min(kLargestWrite, chunk.bytes.size() - done_);
+    const Chunk piece{chunk.offset + static_cast<std::int64_t>(done_), chunk.bytes.subspan(done_, size)};
+    done_ += size;
+    return piece;
+  }
+
+ private:
+  std::span<const Chunk> chunks_;
+  std::size_t done_ = 0;
+};
+
+class MpiCommunicator final : public Communicator {
+ public:
+  MpiCommunicator(int* argc, char*** argv) : session_(argc, argv) {
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+    MPI_Comm_size(MPI_COMM_WORLD, &size_);
+    send_bytes_.resize(static_cast<std::size_t>(size_));
+    receive_bytes_.resize(static_cast<std::size_t>(size_));
+  }
+
+  int rank() const override { return rank_; }
+  int size() const override { return size_; }
+
+  void exchange(std::span<const Outgoing> outgoing, std::vector<Incoming>& incoming) override;
+  void send_receive(int destination, std::span<const double> send, int source, std::span<double> receive) override;
+
+  void sum(std::span<double> values) override { reduce(values, MPI_DOUBLE, MPI_SUM); }
+  void sum(std::span<std::int64_t> values) override { reduce(values, MPI_INT64_T, MPI_SUM); }
+  void minimum(std::span<double> values) override { reduce(values, MPI_DOUBLE, MPI_MIN); }
+  void minimum(std::span<std::int64_t> values) override { reduce(values, MPI_INT64_T, MPI_MIN); }
+  void maximum(std::span<double> values) override { reduce(values, MPI_DOUBLE, MPI_MAX); }
+  void maximum(std::span<std::int64_t> values) override { reduce(values, MPI_INT64_T, MPI_MAX); }
+  std::uint64_t sum_hash(std::uint64_t value) override {
+    reduce(std::span(&value, 1), MPI_UINT64_T, MPI_SUM);
+    return value;
+  }
+  std::int64_t exclusive_scan(std::int64_t value) override {
+    std::int64_t below = 0;  // MPI leaves it as it is on rank 0
+    MPI_Exscan(&value, &below, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+    return rank_ == 0 ? 0 : below;
+  }
+  bool any(bool value) override {
+    int found = value ? 1 : 0;
+    reduce(std::span(&found, 1), MPI_INT, MPI_MAX);
+    return found != 0;
+  }
+  void broadcast(Bytes& bytes, int root) override;
+  std::vector<Bytes> gather(std::span<const std::byte> bytes, int root) override;
+  std::vector<Bytes> all_gather(std::span<const std::byte> bytes) override;
+  void barrier() override { MPI_Barrier(MPI_COMM_WORLD); }
+  void write_file(const std::filesystem::path& path, std::span<const Chunk> chunks) override;
+  [[noreturn]] void abort(int exit_code) noexcept override {
+    MPI_Abort(MPI_COMM_WORLD, exit_code);
+    std::_Exit(exit_code);
+  }
+
+ private:
+  std::string write_part(const std::filesystem::path& path, std::span<const Chunk> chunks);
+  std::string write_pieces(MPI_File file, std::span<const Chunk> chunks);
+
+  MpiSession session_;
+  int rank_ = 0;
+  int size_ = 1;
+  std::vector<std::int64_t> send_bytes_, receive_bytes_;  // of exchange(), by rank
+  std::vector<MPI_Request> requests_;
+};
+
+void MpiCommunicator::exchange(std::span<const Outgoing> outgoing, std::vector<Incoming>& incoming) {
+  std::fill(send_bytes_.begin(), send_bytes_.end(), 0);
+  for (const Outgoing& message : outgoing) {
+    if (message.destination < 0 || message.destination >= size_) {
+      throw std::invalid_argument("a message to a rank that does not exist");
+    }
+    send_bytes_[static_cast<std::size_t>(message.destination)] = std::ssize(message.bytes);
+  }
+  MPI_Alltoall(send_bytes_.data(), 1, MPI_INT64_T, receive_bytes_.data(), 1, MPI_INT64_T, MPI_COMM_WORLD);
+
+  incoming.clear();
+  for (int source = 0; source < size_; ++source) {
+    const auto bytes = static_cast<std::size_t>(receive_bytes_[static_cast<std::size_t>(source)]);
+    if (bytes > 0) incoming.push_back({source, Bytes(bytes)});
+  }
+  requests_.clear();
+  for (Incoming& message : incoming) {
+    if (message.source == rank_) continue;
+    MPI_Irecv(message.bytes.data(), count_of(message.bytes.size()), MPI_BYTE, message.source, kExchangeTag,
+              MPI_COMM_WORLD, &requests_.emplace_back());
+  }
+  for (const Outgoing& message : outgoing) {
+    if (message.bytes.empty()) continue;
+    if (message.destination == rank_) {
+      const auto own = std::find_if(incoming.begin(), incoming.end(), [&](auto& in) { return in.source == rank_; });
+      std::copy(message.bytes.begin(), message.bytes.end(), own->bytes.begin());
+      continue;
+    }
+    MPI_Isend(message.bytes.data(), count_of(message.bytes.size()), MPI_BYTE, message.destination, kExchangeTag,
+              MPI_COMM_WORLD, &requests_.emplace_back());
+  }
+  MPI_Waitall(count_of(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
+}
+
+void MpiCommunicator::send_receive(int destination, std::span<const double> send, int source,
+                                   std::span<double> receive) {
+  if (destination == rank_ && source == rank_) {
+    std::copy_n(send.begin(), receive.size(), receive.begin());
+    return;
+  }
+  MPI_Sendrecv(send.data(), count_of(send.size()), MPI_DOUBLE, destination == kNoRank ? MPI_PROC_NULL : destination,
+               kSendReceiveTag, receive.data(), count_of(receive.size()), MPI_DOUBLE,
+               source == kNoRank ? MPI_PROC_NULL : source, kSendReceiveTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+}
+
+void MpiCommunicator::broadcast(Bytes& bytes, int root) {
+  std::int64_t size = std::ssize(bytes);
+  MPI_Bcast(&size, 1, MPI_INT64_T, root, MPI_COMM_WORLD);
+  bytes.resize(static_cast<std::size_t>(size));
+  MPI_Bcast(bytes.data(), count_of(bytes.size()), MPI_BYTE, root, MPI_COMM_WORLD);
+}
+
+std::vector<Bytes> MpiCommunicator::gather(std::span<const std::byte> bytes, int root) {
+  std::vector<Incoming> incoming;
+  const Outgoing message{root, bytes};
+  exchange(std::span(&message, 1), incoming);
+  if (rank_ != root) return {};
+  std::vector<Bytes> by_rank(static_cast<std::size_t>(size_));
+  for (Incoming& received : incoming) by_rank[static_cast<std::size_t>(received.source)] = std::move(received.bytes);
+  return by_rank;
+}
+
+std::vector<Bytes> MpiCommunicator::all_gather(std::span<const std::byte> bytes) {
+  std::vector<Outgoing> outgoing;
+  for (int destination = 0; destination < size_; ++destination) outgoing.push_back({destination, bytes});
+  std::vector<Incoming> incoming;
+  exchange(outgoing, incoming);
+  std::vector<Bytes> by_rank(static_cast<std::size_t>(size_));
+  for (Incoming& received : incoming) by_rank[static_cast<std::size_t>(received.source)] = std::move(received.bytes);
+  return by_rank;
+}
+
+std::string MpiCommunicator::write_pieces(MPI_File file, std::span<const Chunk> chunks) {
+  ChunkQueue queue(chunks);
+  std::string failure;
+  for (Chunk piece = queue.next(); any(!piece.bytes.empty()); piece = queue.next()) {
+    MPI_Status status;
+    const int bytes = count_of(piece.bytes.size());
+    const int error = MPI_File_write_at_all(file, piece.offset, piece.bytes.data(), bytes, MPI_BYTE, &status);
+    if (error != MPI_SUCCESS && failure.empty()) failure = mpi_message(error);
+  }
+  return failure;
+}
+
+std::string MpiCommunicator::write_part(const std::filesystem::path& path, std::span<const Chunk> chunks) {
+  MPI_File file = MPI_FILE_NULL;
+  const int opened = MPI_File_open(MPI_COMM_WORLD, part_of(path).c_str(), MPI_MODE_WRONLY, MPI_INFO_NULL, &file);
+  if (any(opened != MPI_SUCCESS)) return opened == MPI_SUCCESS ? "" : write_failure(path, mpi_message(opened));
+  std::string reason = write_pieces(file, chunks);
+  const int closed = MPI_File_close(&file);
+  if (closed != MPI_SUCCESS && reason.empty()) reason = mpi_message(closed);
+  return reason.empty() ? "" : write_failure(path, reason);
+}
+
+void MpiCommunicator::write_file(const std::filesystem::path& path, std::span<const Chunk> chunks) {
+  agree(rank_ == 0 ? create_part(path) : "");
+  const std::string failure = write_part(path, chunks);
+  if (any(!failure.empty())) {
+    if (rank_ == 0) discard_part(path);
+    agree(failure);
+  }
+  std::int64_t end = 0;
+  for (const Chunk& chunk : chunks) {
+    if (!chunk.bytes.empty()) end = std::max(end, chunk.offset + std::ssize(chunk.bytes));
+  }
+  maximum(std::span(&end, 1));
+  agree(rank_ == 0 ? publish_part(path, end) : "");
+}
+
+}  // namespace
+
+std::unique_ptr<Communicator> make_mpi_communicator(int* argc, char*** argv) {
+  return std::make_unique<MpiCommunicator>(argc, argv);
+}
+
+}  // namespace npfem::flow

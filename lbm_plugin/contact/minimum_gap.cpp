@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "contact/minimum_gap.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "geometry/vec3.h"
+#include "placement/triangle_distance.h"
+
+namespace npfem::flow {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Bounds {
+  Vec3 low{kInfinity, kInfinity, kInfinity};
+  Vec3 high{-kInfinity, -kInfinity, -kInfinity};
+};
+
+/// A triangle and the ball around it, by which it is dismissed cheaply.
+struct BoundedTriangle {
+  std::array<Vec3, 3> corner;
+  Vec3 centre;
+  double radius;
+};
+
+Vec3 vertex(const CellSurface& cell, std::size_t v) {
+  return {cell.positions[3 * v], cell.positions[3 * v + 1], cell.positions[3 * v + 2]};
+}
+
+Bounds bounds_of(const CellSurface& cell) {
+  Bounds bounds;
+  for (std::size_t i = 0; i < cell.positions.size(); ++i) {
+    bounds.low[i % 3] = std::min(bounds.low[i % 3], cell.positions[i]);
+    bounds.high[i % 3] = std::max(bounds.high[i % 3], cell.positions[i]);
+  }
+  return bounds;
+}
+
+double distance(const Bounds& a, const Bounds& b, const Vec3& shift_of_b) {
+  Vec3 apart{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double above = b.low[axis] + shift_of_b[axis] - a.high[axis];
+    const double below = a.low[axis] - b.high[axis] - shift_of_b[axis];
+    apart[axis] = std::max({0.0, above, below});
+  }
+  return norm(apart);
+}
+
+std::vector<BoundedTriangle> triangles_of(const CellSurface& cell, const std::vector<std::int32_t>& ids) {
+  std::vector<BoundedTriangle> triangles;
+  triangles.reserve(ids.size() / 3);
+  for (std::size_t t = 0; t < ids.size(); t += 3) {
+    BoundedTriangle triangle{};
+    for (std::size_t i = 0; i < 3; ++i) triangle.corner[i] = vertex(cell, static_cast<std::size_t>(ids[t + i]));
+    const auto& [a, b, c] = triangle.corner;
+    triangle.centre = scale(1.0 / 3.0, add(a, add(b, c)));
+    for (const Vec3& corner : triangle.corner) {
+      triangle.radius = std::max(triangle.radius, norm(subtract(corner, triangle.centre)));
+    }
+    triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
+/// From the vertices of `cell`, moved by -shift, to the triangles; `best` where none is nearer.
+double nearest(const CellSurface& cell, const Vec3& shift, std::span<const BoundedTriangle> triangles, double best) {
+  for (std::size_t v = 0; v < cell.positions.size() / 3; ++v) {
+    const Vec3 point = subtract(vertex(cell, v), shift);
+    for (const BoundedTriangle& triangle : triangles) {
+      const Vec3 apart = subtract(point, triangle.centre);
+      const double reach = best + triangle.radius;
+      if (dot(apart, apart) >= reach * reach) continue;
+      best = std::min(best, distance_to_triangle(point, triangle.corner[0], triangle.corner[1], triangle.corner[2]));
+    }
+  }
+  return best;
+}
+
+void append(Bytes& bytes, std::span<const std::byte> raw) { bytes.insert(bytes.end(), raw.begin(), raw.end()); }
+
+std::vector<CellSurface> all_cells(std::span<const CellType> types, Communicator& communicator,
+                                   std::span<const CellSurface> own) {
+  Bytes packed;
+  for (const CellSurface& cell : own) {
+    const std::array<int, 2> tag{cell.id, cell.type};
+    append(packed, std::as_bytes(std::span(tag)));
+    append(packed, std::as_bytes(std::span(cell.positions)));
+  }
+  std::vector<CellSurface> all;
+  for (const Bytes& bytes : communicator.all_gather(packed)) {
+    for (std::size_t at = 0; at < bytes.size();) {
+      std::array<int, 2> tag;
+      std::memcpy(tag.data(), bytes.data() + at, sizeof tag);
+      at += sizeof tag;
+      CellSurface& cell = all.emplace_back(CellSurface{tag[0], tag[1], {}});
+      cell.positions.resize(types[static_cast<std::size_t>(cell.type)].shape.size());
+      const std::size_t length = cell.positions.size() * sizeof(double);
+      std::memcpy(cell.positions.data(), bytes.data() + at, length);
+      at += length;
+    }
+  }
+  return all;
+}
+
+/// Shifts by whole periods that bring `b` among the nearest images of `a`: those beside the nearest one, too.
+std::vector<Vec3> images(const Domain& domain, const Bounds& a, const Bounds& b) {
+  std::vector<Vec3> shifts{{0, 0, 0}};
+  const Vec3 size = domain.size();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!domain.periodic()[axis]) continue;
+    const double apart = 0.5 * (a.low[axis] + a.high[axis] - b.low[axis] - b.high[axis]);
+    const double nearest_image = size[axis] * std::round(apart / size[axis]);
+    std::vector<Vec3> more;
+    for (Vec3 shift : shifts) {
+      for (const double step : {0.0, -size[axis], size[axis]}) {
+        shift[axis] = nearest_image + step;
+        more.push_back(shift);
+      }
+    }
+    shifts = std::move(more);
+  }
+  return shifts;
+}
+
+struct Candidate {
+  double least;  // um: the gap cannot be smaller
+  std::size_t a, b;
+  Vec3 shift;    // of b
+};
+
+/// Pairs of one own cell and one other, the most promising first.
+std::vector<Candidate> candidates(const Domain& domain, std::span<const CellSurface> own,
+                                  std::span<const CellSurface> all) {
+  std::vector<Bounds> bounds(all.size());
+  std::transform(all.begin(), all.end(), bounds.begin(), bounds_of);
+  std::vector<Candidate> pairs;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const Bounds mine = bounds_of(own[i]);
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      if (all[j].id == own[i].id) continue;
+      for (const Vec3& shift : images(domain, mine, bounds[j])) {
+        pairs.push_back({distance(mine, bounds[j], shift), i, j, shift});
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end(), [](const Candidate& a, const Candidate& b) { return a.least < b.least; });
+  return pairs;
+}
+
+double smallest(Communicator& communicator, double value) {
+  communicator.minimum(std::span(&value, 1));
+  return value;
+}
+
+}  // namespace
+
+double smallest_cell_gap(const Domain& domain, std::span<const CellType> types, Communicator& communicator,
+                         std::span<const CellSurface> own) {
+  const std::vector<CellSurface> all = all_cells(types, communicator, own);
+  std::vector<std::vector<BoundedTriangle>> triangles(all.size());
+  double best = kInfinity;
+  for (const Candidate& pair : candidates(domain, own, all)) {
+    if (pair.least >= best) break;
+    const CellSurface& other = all[pair.b];
+    auto& its = triangles[pair.b];
+    if (its.empty()) its = triangles_of(other, types[static_cast<std::size_t>(other.type)].triangles);
+    best = nearest(own[pair.a], pair.shift, its, best);
+  }
+  return smallest(communicator, best);
+}
+
+double smallest_wall_gap(const Domain& domain, Communicator& communicator, std::span<const CellSurface> own) {
+  double best = kInfinity;
+  for (const CellSurface& cell : own) {
+    for (std::size_t v = 0; v < cell.positions.size() / 3; ++v) {
+      best = std::min(best, domain.wall_distance(vertex(cell, v)).distance);
+    }
+  }
+  return smallest(communicator, best);
+}
+
+}  // namespace npfem::flow

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "communicator/communicator.h"
+#include "simulation/setup.h"
+
+namespace npfem::flow {
+
+/// The surface of one cell at the present time.
+struct CellSurface {
+  int id;                         ///< global
+  int type;                       ///< index into Setup::types
+  std::vector<double> positions;  ///< xyz, um, unwrapped
+};
+
+/// Smallest distance (um) from a vertex of one cell to a triangle of another in the whole system, periodic images
+/// included; infinity where there are not two cells. `own`: the cells of this rank. Looks at all pairs of cells that
+/// could be closest: for output and tests, not for every step. Collective.
+double smallest_cell_gap(const Domain& domain, std::span<const CellType> types, Communicator& communicator,
+                         std::span<const CellSurface> own);
+
+/// Smallest distance (um) from a vertex to a wall, negative beyond it; infinity without walls. Collective.
+double smallest_wall_gap(const Domain& domain, Communicator& communicator, std::span<const CellSurface> own);
+
+}  // namespace npfem::flow

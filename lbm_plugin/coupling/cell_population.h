@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "communicator/communicator.h"
+#include "communicator/decomposition.h"
+#include "coupling/vertex_exchange.h"
+#include "simulation/setup.h"
+
+namespace npfem::flow {
+
+/// A cell whose last step failed on this rank. It keeps the state it had before that step.
+struct LocalFailure {
+  int id;
+  int type;
+  std::string reason;
+};
+
+/// What one step of the cell solver did on this rank.
+struct CellStepReport {
+  std::vector<LocalFailure> failures;
+  std::int64_t cell_steps = 0;
+  std::int64_t iterations = 0;
+  double worst_residual = 0;  ///< pN, over the cells that did not fail
+};
+
+/// The cells one rank owns: those whose centroid (mean of the vertices) lies in its block. One batch of the cell solver
+/// per type; to the rest of the coupling the vertices are flat arrays in order of (global cell id, vertex), whatever the
+/// order in the batches.
+class CellPopulation {
+ public:
+  struct Cell {
+    int id;    ///< global
+    int type;  ///< index into Setup::types
+    int slot;  ///< index in the batch of its type
+    std::size_t first_vertex;  ///< in the flat arrays
+  };
+
+  /// Places the cells of the setup, undeformed, at rest; each rank takes its own. `delta`: time step of the cell solver,
+  /// us. `setup` must outlive the population. std::invalid_argument where a cell names a type that is not there or its shape does not fit its model.
+  CellPopulation(const Setup& setup, Communicator& communicator, const Decomposition& decomposition, double delta);
+
+  /// Hands every cell that has left this rank's block to the rank it has entered. Collective. Without effect on the
+  /// results: a cell's state moves bit for bit.
+  void migrate();
+
+  std::span<const Cell> cells() const { return cells_; }
+  std::span<const VertexId> vertices() const { return vertices_; }
+  const api::Batch& batch(int type) const { return kind(type).batch; }
+  std::size_t vertices_of(int type) const { return kind(type).vertices; }
+
+  /// The mass of fluid (fg) that moves with each vertex of that type, for all its cells, now and later.
+  void set_ambient_mass(int type, std::vector<double> masses);
+
+  /// A field of the cell solver (see npfem_batch_set), three numbers per own vertex.
+  void read(const char* field, std::vector<double>& values) const;
+  void write(const char* field, std::span<const double> values);
+
+  /// Elastic forces at the present positions.
+  void evaluate();
+  /// One step of the cell solver for every cell.
+  CellStepReport step();
+
+  /// Sum of solid mass times velocity, fg um/us; 0 where no type has mass of its own.
+  Vec3 solid_momentum() const;
+  bool has_solid_mass() const { return has_solid_mass_; }
+
+  /// Hash of the states of the own cells keyed by global id; summed over the ranks modulo 2^64 it knows no layout.
+  std::uint64_t state_hash() const;
+
+ private:
+  void create_batches(double delta);
+  void place(const CellStart& start, int id);
+  void add(int type, int id);
+  void sort_cells();
+  int owner_of(std::span<const double> positions) const;
+  std::vector<Bytes> pack_leaving();
+  void unpack_arriving(const Bytes& message);
+
+  // One kind of cell on this rank.
+  struct Kind {
+    api::Batch batch;
+    std::size_t vertices = 0;
+    std::vector<int> ids;              // global id by slot
+    std::vector<double> solid_mass;    // by vertex, fg
+    std::vector<double> ambient_mass;  // by vertex, fg; empty: none
+  };
+  Kind& kind(int type) { return kinds_[static_cast<std::size_t>(type)]; }
+  const Kind& kind(int type) const { return kinds_[static_cast<std::size_t>(type)]; }
+
+  const Setup& setup_;
+  Communicator& communicator_;
+  Decomposition decomposition_;
+  bool has_solid_mass_ = false;
+  std::vector<Kind> kinds_;  // by type
+  std::vector<Cell> cells_;
+  std::vector<VertexId> vertices_;
+};
+
+}  // namespace npfem::flow

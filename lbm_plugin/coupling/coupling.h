@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "coupling/cell_population.h"
+#include "coupling/fluid_link.h"
+#include "coupling/momentum_audit.h"
+#include "simulation/setup.h"
+#include "units.h"
+
+namespace npfem::flow {
+
+/// The parts that a coupling scheme works on; they outlive it.
+struct CoupledParts {
+  const Setup& setup;
+  const Units& units;
+  CellPopulation& cells;
+  FluidLink& fluid;
+  Lattice& lattice;
+  MomentumAudit& audit;
+};
+
+/// A way to let cells and fluid advance together by delta = steps_per_solve fluid steps: load_fluid() before them,
+/// follow_fluid() after them. Collective.
+class Coupling {
+ public:
+  static std::unique_ptr<Coupling> create(const CoupledParts& parts);
+  virtual ~Coupling() = default;
+
+  /// Gives the lattice the forces that the vertices exert on it for the next delta.
+  virtual CellStepReport load_fluid() = 0;
+  /// Lets the vertices follow, where they have not moved before.
+  virtual CellStepReport follow_fluid() { return {}; }
+
+  /// Lets fluid and cells hold the forces of the present positions: elastic forces and contacts.
+  void hold_present_forces();
+
+ protected:
+  explicit Coupling(const CoupledParts& parts);
+
+  /// Spreads force_ where the vertices were located; `inertia` is the rate of change of the cells' own momentum, pN.
+  void apply_forces(const Vec3& inertia);
+
+  CoupledParts parts_;
+  double delta_;  // us
+  std::vector<double> position_, velocity_, contact_, force_;  // own vertices
+};
+
+}  // namespace npfem::flow

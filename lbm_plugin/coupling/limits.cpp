@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "coupling/limits.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "coupling/ambient_mass.h"
+#include "units.h"
+
+namespace npfem::flow {
+namespace {
+
+struct Advice {
+  const char* good;
+  const char* fair;
+  const char* exceeded;
+};
+
+Limit judged(std::string name, std::string meaning, double value, double strict_bound, double bound,
+             const Advice& advice) {
+  const Verdict verdict = value <= strict_bound ? Verdict::good : value <= bound ? Verdict::fair : Verdict::exceeded;
+  const char* text = verdict == Verdict::good ? advice.good : verdict == Verdict::fair ? advice.fair : advice.exceeded;
+  return {std::move(name), std::move(meaning), value, strict_bound, bound, verdict, text};
+}
+
+void add_fluid_limits(std::vector<Limit>& limits, const Units& units, double tau, double speed, double shear_rate) {
+  limits.push_back(judged("tau", "relaxation time of the lattice fluid, in time steps; above 1/2", tau, 12.0, 12.0,
+                          {"steady flow is exact between walls; for flow that changes in time, see gdot T", "",
+                           "larger than any that has been tried; reduce time_step"}));
+  const double sound = units.velocity() / std::sqrt(3.0);
+  limits.push_back(judged("Ma", "fastest imposed flow over the lattice's speed of sound; the lattice fluid is compressible",
+                          speed / sound, 0.1, 0.3,
+                          {"the fluid is as good as incompressible", "density varies by a few percent; a smaller time step helps",
+                           "the flow is too fast for this time step; reduce time_step"}));
+  limits.push_back(judged("gdot_T", "shear rate times T = (tau - 1/2) dt, the memory of the lattice fluid",
+                          shear_rate * (tau - 0.5) * units.dt, 0.02, 0.02,
+                          {"the fluid follows at once", "", "the fluid lags behind; reduce time_step"}));
+}
+
+void add_cell_limits(std::vector<Limit>& limits, const Setup& setup, const Units& units, const CellType& type) {
+  const double delta = setup.coupling.steps_per_solve * setup.time_step;
+  const double layer = ambient_layer(setup.coupling.kernel_points, units, setup.kinematic_viscosity, delta);
+  const double radius = std::sqrt(type.model->measure("rest_area") / (4.0 * std::numbers::pi));
+  const double shear = type.model->measure("shear_modulus");
+  const double largest = type.model->measure("largest_modulus");
+  if (setup.coupling.scheme == CouplingScheme::implicit) {
+    const double per_modulus = delta * delta / (setup.density * layer * radius * radius);
+    const Advice advice{"the fluid feels the membrane as stiff as it is",
+                        "volume and deformation are off by about this much; for less, reduce time_step or cell_every",
+                        "the fluid feels too soft a membrane; reduce time_step or cell_every"};
+    limits.push_back(judged("kappa_shear " + type.name, "compliance of the coupling against shear: delta^2 G/(rho ell a^2)",
+                            per_modulus * shear, 0.002, 0.005, advice));
+    limits.push_back(judged("kappa_largest " + type.name,
+                            "the same with the largest modulus, which keeps area and volume", per_modulus * largest,
+                            0.002, 0.005,
+                            {advice.good, advice.fair,
+                             "vertices keep the stiff constraint exactly, but the fluid resists it less than it should; "
+                             "reduce time_step or cell_every if the cell is driven against it"}));
+  }
+  limits.push_back(judged("compression " + type.name, "3 G_s/a in lattice units: how much a cell's own tension compresses the fluid in it",
+                          3.0 * shear / (units.pressure() * radius), 0.008, 0.02,
+                          {"the cell keeps its volume", "the cell shrinks by about this much; for less, reduce time_step",
+                           "the cell shrinks too much; reduce time_step"}));
+}
+
+}  // namespace
+
+std::vector<Limit> accuracy_limits(const Setup& setup, double speed, double shear_rate) {
+  const Units units{setup.domain.dx, setup.time_step, setup.density};
+  std::vector<Limit> limits;
+  add_fluid_limits(limits, units, units.relaxation_time(setup.kinematic_viscosity), speed, shear_rate);
+  for (const CellType& type : setup.types) add_cell_limits(limits, setup, units, type);
+  return limits;
+}
+
+std::string verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::good: return "good";
+    case Verdict::fair: return "fair";
+    default: return "exceeded";
+  }
+}
+
+}  // namespace npfem::flow

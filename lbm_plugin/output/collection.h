@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace npfem::flow {
+
+/// A ParaView collection (.pvd): the files of a run and their times. Replaced whole after each step, so that it can be
+/// opened while the run goes on. Used by one rank.
+class Collection {
+ public:
+  explicit Collection(std::filesystem::path path) : path_(std::move(path)) {}
+
+  /// Adds a file beside the collection and writes the collection. text::FileError where it cannot.
+  void add(double time_us, const std::string& file);
+
+ private:
+  struct Entry {
+    double time_us;
+    std::string file;
+  };
+  std::filesystem::path path_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace npfem::flow

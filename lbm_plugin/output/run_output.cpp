@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "output/run_output.h"
+
+#include <cstdio>
+#include <string>
+#include <system_error>
+
+#include "file.h"
+#include "output/write_cells.h"
+#include "output/write_fluid.h"
+
+namespace npfem::flow {
+namespace {
+
+/// "cells_000000120.vtu"
+std::string numbered(const char* name, std::int64_t step, const char* ending) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%s_%09lld.%s", name, static_cast<long long>(step), ending);
+  return text;
+}
+
+bool written_by_a_run(const std::string& file) {
+  for (const char* whole : {"cells.pvd", "fluid.pvd", "cells.csv", "summary.json", "scene.toml"}) {
+    if (file == whole) return true;
+  }
+  const auto framed = [&](const std::string& begin, const std::string& end) {
+    return file.size() > begin.size() + end.size() && file.starts_with(begin) && file.ends_with(end) &&
+           file.find_first_not_of("0123456789", begin.size()) == file.size() - end.size();
+  };
+  return framed("cells_", ".vtu") || framed("fluid_", ".vti");
+}
+
+void remove_earlier_run(const std::filesystem::path& folder) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::filesystem::path file = entry.path();
+    if (!written_by_a_run(file.filename().string())) continue;
+    if (!std::filesystem::remove(file, error)) {
+      throw text::FileError("cannot remove \"" + file.string() + "\": " + error.message());
+    }
+  }
+}
+
+}  // namespace
+
+void prepare_output_folder(const std::filesystem::path& folder, bool overwrite) {
+  std::error_code error;
+  if (std::filesystem::exists(folder, error)) {
+    if (!std::filesystem::is_directory(folder)) {
+      throw text::FileError("cannot write to \"" + folder.string() + "\": it is not a folder");
+    }
+    const bool empty = std::filesystem::is_empty(folder, error);
+    if (!empty && !overwrite) {
+      throw text::FileError("the output folder \"" + folder.string() +
+                            "\" is not empty; choose another one, or add --overwrite to replace the run in it");
+    }
+    if (!empty) remove_earlier_run(folder);
+    return;
+  }
+  std::filesystem::create_directories(folder, error);
+  if (error) throw text::FileError("cannot create the folder \"" + folder.string() + "\": " + error.message());
+}
+
+RunOutput::RunOutput(Communicator& communicator, std::filesystem::path folder, const Scene& scene)
+    : communicator_(communicator),
+      folder_(std::move(folder)),
+      into_box_(scene.output.into_box),
+      cells_{scene.output.cells && !scene.setup.cells.empty(), scene.output.cells_every},
+      fluid_{scene.output.fluid, scene.output.fluid_every},
+      table_{true, scene.output.table_every},
+      cells_collection_(folder_ / "cells.pvd"),
+      fluid_collection_(folder_ / "fluid.pvd"),
+      cell_table_(communicator, folder_ / "cells.csv", scene.setup) {}
+
+void RunOutput::write_due(const Simulation& simulation) {
+  const std::int64_t step = simulation.steps_done();
+  write(simulation, cells_.due(step), fluid_.due(step), table_.due(step));
+}
+
+void RunOutput::write_all(const Simulation& simulation) {
+  const std::int64_t step = simulation.steps_done();
+  const auto missing = [step](const Schedule& schedule) { return schedule.wanted && schedule.last != step; };
+  write(simulation, missing(cells_), missing(fluid_), missing(table_));
+}
+
+void RunOutput::write(const Simulation& simulation, bool cells, bool fluid, bool table) {
+  const std::int64_t step = simulation.steps_done();
+  const double time = simulation.time_us();
+  if (cells || table) {
+    const std::vector<CellState> local = simulation.local_cells();
+    if (cells) {
+      const std::string file = numbered("cells", step, "vtu");
+      write_cells(communicator_, folder_ / file, time, simulation.setup(), local, into_box_);
+      add_to(cells_collection_, time, file);
+      cells_.last = step;
+    }
+    if (table) {
+      cell_table_.append(step, time, local);
+      table_.last = step;
+    }
+  }
+  if (fluid) {
+    const std::string file = numbered("fluid", step, "vti");
+    write_fluid(communicator_, folder_ / file, time, simulation.lattice(), simulation.units());
+    add_to(fluid_collection_, time, file);
+    fluid_.last = step;
+  }
+}
+
+void RunOutput::add_to(Collection& collection, double time_us, const std::string& file) {
+  std::string failure;
+  if (communicator_.rank() == 0) {
+    try {
+      collection.add(time_us, file);
+    } catch (const text::FileError& error) {
+      failure = error.what();
+    }
+  }
+  communicator_.agree(failure);
+}
+
+}  // namespace npfem::flow

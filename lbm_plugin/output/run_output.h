@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "communicator/communicator.h"
+#include "output/cell_table.h"
+#include "output/collection.h"
+#include "scene/scene.h"
+#include "simulation/simulation.h"
+
+namespace npfem::flow {
+
+/// Makes the folder ready for a run; used by one rank. A folder that holds anything is refused, unless `overwrite`:
+/// then the files that an earlier run wrote are removed, and nothing else. text::FileError where it cannot be used.
+void prepare_output_folder(const std::filesystem::path& folder, bool overwrite);
+
+/// The files of a run: cells_*.vtu with cells.pvd, fluid_*.vti with fluid.pvd, cells.csv. Calls are collective and throw
+/// std::runtime_error on every rank where a file cannot be written.
+class RunOutput {
+ public:
+  RunOutput(Communicator& communicator, std::filesystem::path folder, const Scene& scene);
+
+  /// Writes what is due after this step.
+  void write_due(const Simulation& simulation);
+  /// Writes everything that has not been written at this step: for the first and the last state.
+  void write_all(const Simulation& simulation);
+
+ private:
+  /// One kind of output and when it was last written.
+  struct Schedule {
+    bool wanted;
+    std::int64_t every;
+    std::int64_t last = -1;
+    bool due(std::int64_t step) const { return wanted && every > 0 && step % every == 0 && step != last; }
+  };
+  void write(const Simulation& simulation, bool cells, bool fluid, bool table);
+  void add_to(Collection& collection, double time_us, const std::string& file);
+
+  Communicator& communicator_;
+  std::filesystem::path folder_;
+  bool into_box_;
+  Schedule cells_, fluid_, table_;
+  Collection cells_collection_, fluid_collection_;
+  CellTable cell_table_;
+};
+
+}  // namespace npfem::flow

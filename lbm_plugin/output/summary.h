@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "communicator/communicator.h"
+#include "scene/scene.h"
+#include "simulation/simulation.h"
+
+namespace npfem::flow {
+
+/// What summary.json says about a run.
+struct Summary {
+  std::string title;
+  std::string version;
+  std::int64_t steps = 0;
+  double time_us = 0;
+  double wall_s = 0;              ///< of the time loop, output included
+  double mlups = 0;               ///< million updates of fluid nodes per second of wall time
+  double cell_steps_per_s = 0;
+  int ranks = 1;
+  std::int64_t fluid_nodes = 0;
+  int cells = 0;
+  std::vector<std::string> cell_types;
+  std::vector<int> cells_by_type;
+  double haematocrit = 0;         ///< volume of all cells over the volume open to the fluid
+  std::vector<double> haematocrit_by_type;
+  double momentum_error = 0;
+  double volume_error = 0;
+  double minimum_gap_um = 0;
+  double worst_residual_pN = 0;
+  double iterations_per_cell_step = 0;
+  Counters counters;
+  std::vector<CellFailure> failures;
+  std::uint64_t state_hash = 0;
+  bool interrupted = false;
+};
+
+/// Collective.
+Summary summarise(const Scene& scene, const Simulation& simulation, Communicator& communicator, double wall_s);
+
+/// As JSON text; numbers that are not finite become null.
+std::string to_json(const Summary& summary);
+
+}  // namespace npfem::flow

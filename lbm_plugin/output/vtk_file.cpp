@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "output/vtk_file.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "quantity.h"
+
+namespace npfem::flow {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "values are written as they stand in memory");
+
+struct TypeInfo {
+  const char* name;
+  std::int64_t size;
+};
+
+TypeInfo info(VtkFile::Type type) {
+  switch (type) {
+    case VtkFile::Type::float32: return {"Float32", 4};
+    case VtkFile::Type::float64: return {"Float64", 8};
+    case VtkFile::Type::int32: return {"Int32", 4};
+    case VtkFile::Type::uint8: return {"UInt8", 1};
+  }
+  return {"", 0};
+}
+
+}  // namespace
+
+std::size_t VtkFile::declare(const std::string& name, Type type, int components, std::int64_t values) {
+  arrays_.push_back({name, type, components, values * info(type).size, appended_bytes_});
+  appended_bytes_ += length_bytes + arrays_.back().bytes;
+  return arrays_.size() - 1;
+}
+
+std::string VtkFile::element(std::size_t array) const {
+  const Array& a = arrays_[array];
+  return std::string("<DataArray type=\"") + info(a.type).name + "\" Name=\"" + a.name + "\" NumberOfComponents=\"" +
+         std::to_string(a.components) + "\" format=\"appended\" offset=\"" + std::to_string(a.offset) + "\"/>\n";
+}
+
+void VtkFile::put_bytes(std::int64_t offset, std::span<const std::byte> bytes) {
+  if (bytes.empty()) return;
+  // what follows its predecessor directly is written in one piece with it
+  if (!pieces_.empty() && pieces_.back().offset + static_cast<std::int64_t>(pieces_.back().length) == offset) {
+    pieces_.back().length += bytes.size();
+  } else {
+    pieces_.push_back({offset, bytes_.size(), bytes.size()});
+  }
+  bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+}
+
+void VtkFile::write(Communicator& communicator, const std::filesystem::path& path, const std::string& kind,
+                    const std::string& body) const {
+  const std::string head = "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + kind +
+                           "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n" + body +
+                           "<AppendedData encoding=\"raw\">\n_";
+  const std::string tail = "\n</AppendedData>\n</VTKFile>\n";
+  const auto start = static_cast<std::int64_t>(head.size());
+
+  std::vector<Chunk> chunks;
+  if (communicator.rank() == 0) {
+    chunks.push_back({0, std::as_bytes(std::span(head))});
+    for (const Array& array : arrays_) {
+      chunks.push_back({start + array.offset, std::as_bytes(std::span(&array.bytes, 1))});
+    }
+    chunks.push_back({start + appended_bytes_, std::as_bytes(std::span(tail))});
+  }
+  for (const Piece& piece : pieces_) {
+    chunks.push_back({start + piece.offset, std::span(bytes_).subspan(piece.begin, piece.length)});
+  }
+  std::sort(chunks.begin(), chunks.end(), [](const Chunk& a, const Chunk& b) { return a.offset < b.offset; });
+  communicator.write_file(path, chunks);
+}
+
+std::string time_element(double time_us) {
+  return "<FieldData>\n<!-- us -->\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+         "format=\"ascii\">" +
+         text::format_number(time_us) + "</DataArray>\n</FieldData>\n";
+}
+
+}  // namespace npfem::flow

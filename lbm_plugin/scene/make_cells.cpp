@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "scene/make_cells.h"
+
+#include <cmath>
+#include <numeric>
+
+#include "geometry/cell_shape.h"
+#include "placement/place_cells.h"
+
+namespace npfem::flow {
+namespace {
+
+api::Material material_of(const CellsRequest& request) {
+  return request.material_is_file ? api::Material::load(request.material) : api::Material::preset(request.material);
+}
+
+api::Mesh mesh_of(const CellsRequest& request, const api::Material& material) {
+  return request.mesh_file.empty() ? material.mesh(request.level) : api::Mesh::load(request.mesh_file);
+}
+
+/// The unloaded cell about the origin: at rest under its own forces, whatever shape its mesh had.
+std::vector<double> relaxed_shape(const api::Model& model, const CellsRequest& request, const Scene& scene) {
+  api::Batch cell(model, "reference", 1);
+  for (const auto& [key, value] : scene.solver_options) cell.set(key, value);
+  if (cell.relax() > 0) {
+    request.table.fail("material", "a cell \"" + request.name + "\" left alone does not come to rest: " +
+                                       cell.status_text(0));
+  }
+  std::vector<double> xyz(3 * static_cast<std::size_t>(model.vertices()));
+  cell.read("position", 0, 1, xyz);
+  const Vec3 centre = shape_of(xyz, model.triangles()).centre;
+  for (std::size_t n = 0; n < xyz.size(); ++n) xyz[n] -= centre[n % 3];
+  return xyz;
+}
+
+CellType make_type(const CellsRequest& request, const Scene& scene) {
+  const char* source = "material";  // what to name where the next call fails
+  try {
+    const api::Material material = material_of(request);
+    if (!request.mesh_file.empty()) source = "mesh";
+    const api::Mesh mesh = mesh_of(request, material);
+    source = "material";
+    const auto model = std::make_shared<const api::Model>(mesh, material);
+    return {request.name, model, relaxed_shape(*model, request, scene), model->triangles(), scene.solver_options};
+  } catch (const api::Failure& failure) {
+    request.table.fail(source, failure.what());
+  }
+}
+
+double volume_of(const CellType& type) { return enclosed_volume(type.shape, type.triangles); }
+
+}  // namespace
+
+void make_types(Scene& scene) {
+  for (const CellsRequest& request : scene.requests) scene.setup.types.push_back(make_type(request, scene));
+}
+
+std::vector<int> cell_counts(const Scene& scene) {
+  const double volume = scene.setup.domain.fluid_volume();
+  std::vector<int> counts;
+  for (std::size_t type = 0; type < scene.requests.size(); ++type) {
+    const CellsRequest& request = scene.requests[type];
+    auto count = static_cast<double>(request.positions.size());
+    if (request.haematocrit) count = *request.haematocrit * volume / volume_of(scene.setup.types[type]);
+    if (request.count) count = *request.count;
+    if (request.ratio) count = *request.ratio * counts[static_cast<std::size_t>(request.ratio_to)];
+    if (count > 1e7) request.table.fail("asks for more than ten million cells");
+    counts.push_back(static_cast<int>(std::lround(count)));
+  }
+  return counts;
+}
+
+PlacementReport place_scene_cells(Scene& scene) {
+  PlacementRequest request;
+  request.counts = cell_counts(scene);
+  request.gap = scene.gap;
+  request.seed = scene.seed;
+  std::vector<text::Table> tables;
+  for (std::size_t type = 0; type < scene.requests.size(); ++type) {
+    const CellsRequest& cells = scene.requests[type];
+    request.given.insert(request.given.end(), cells.positions.begin(), cells.positions.end());
+    tables.insert(tables.end(), cells.position_tables.begin(), cells.position_tables.end());
+    if (!cells.positions.empty()) request.counts[type] = 0;
+  }
+  try {
+    Placement placement = place_cells(scene.setup.domain, scene.setup.types, request);
+    scene.setup.cells = std::move(placement.cells);
+    return {placement.grown, placement.sweeps};
+  } catch (const PlacementError& error) {
+    if (error.given_cell() >= 0) tables[static_cast<std::size_t>(error.given_cell())].fail(error.what());
+    scene.document.root().table("placement").fail(error.what());
+  }
+}
+
+std::vector<double> haematocrit_by_type(const Setup& setup, const std::vector<int>& counts) {
+  std::vector<double> shares;
+  for (std::size_t type = 0; type < counts.size(); ++type) {
+    shares.push_back(counts[type] * volume_of(setup.types[type]) / setup.domain.fluid_volume());
+  }
+  return shares;
+}
+
+}  // namespace npfem::flow

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MPL-2.0
+#include <algorithm>
+#include <filesystem>
+
+#include "geometry/vec3.h"
+#include "nearest.h"
+#include "scene/read_parts.h"
+#include "scene/scene_keys.h"
+
+namespace npfem::flow {
+namespace {
+
+using text::Key;
+using text::Table;
+
+std::string resolve(const std::string& path, const std::filesystem::path& folder) {
+  const std::filesystem::path given(path);
+  return given.is_absolute() ? path : (folder / given).lexically_normal().string();
+}
+
+void read_positions(const Table& table, int type, CellsRequest& request) {
+  for (const Table& entry : table.tables("positions")) {
+    const Vec3 centre = entry.vector3(keys::centre);
+    request.positions.push_back({type, centre, rotation_about_xyz(entry.vector3(keys::rotate))});
+    request.position_tables.push_back(entry);
+  }
+}
+
+void read_number_of_cells(const Table& table, const std::vector<CellsRequest>& before, CellsRequest& request) {
+  const bool listed = table.has("positions");
+  if (listed) {
+    refuse(table, {&keys::haematocrit, &keys::count, &keys::ratio, &keys::ratio_to},
+           "\"positions\" is given too; give only one of them");
+    read_positions(table, static_cast<int>(before.size()), request);
+    return;
+  }
+  const Key* number = one_of(table, {&keys::haematocrit, &keys::count, &keys::ratio});
+  if (!number) table.fail("one of \"haematocrit\", \"count\", \"ratio\" or \"positions\" is needed");
+  if (number != &keys::ratio) refuse(table, {&keys::ratio_to}, "needs \"ratio\" beside it");
+  if (number == &keys::haematocrit) request.haematocrit = table.quantity(keys::haematocrit);
+  if (number == &keys::count) request.count = within(table, keys::count, 0, 10000000);
+  if (number != &keys::ratio) return;
+  request.ratio = table.quantity(keys::ratio);
+  const std::string other = table.text(keys::ratio_to);
+  std::vector<std::string> names;
+  for (const CellsRequest& earlier : before) names.push_back(earlier.name);
+  const auto found = std::find(names.begin(), names.end(), other);
+  if (found == names.end()) {
+    table.fail("ratio_to", "no type \"" + other + "\" stands before this one" + text::suggestion(other, names));
+  }
+  request.ratio_to = static_cast<int>(found - names.begin());
+}
+
+}  // namespace
+
+CellsRequest read_cells(const text::Table& table, const std::vector<CellsRequest>& before,
+                        const std::filesystem::path& folder) {
+  CellsRequest request(table);
+  request.name = table.text(keys::name);
+  if (request.name.empty() || request.name.find_first_of(",\"\n\r") != std::string::npos) {
+    table.fail("name", "must not be empty, nor hold a comma, a quote or a line break");
+  }
+  for (const CellsRequest& earlier : before) {
+    if (earlier.name == request.name) table.fail("name", "another type is called \"" + request.name + "\" already");
+  }
+  request.material = table.text(keys::material);
+  request.material_is_file = request.material.find_first_of("./") != std::string::npos;
+  if (request.material_is_file) request.material = resolve(request.material, folder);
+  if (table.has(keys::mesh)) request.mesh_file = resolve(table.text(keys::mesh), folder);
+  if (table.has(keys::level)) {
+    if (!request.mesh_file.empty()) table.fail("level", "\"mesh\" is given too; a mesh file has no level");
+    request.level = within(table, keys::level, 1, 6);
+  }
+  read_number_of_cells(table, before, request);
+  return request;
+}
+
+
+}  // namespace npfem::flow

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MPL-2.0
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "quantity.h"
+#include "scene/read_parts.h"
+#include "scene/scene.h"
+#include "scene/scene_keys.h"
+
+namespace npfem::flow {
+namespace {
+
+using text::format_quantity;
+using text::Key;
+using text::Table;
+
+void expect(const Table& table, const std::string& path) {
+  for (const SceneSection& section : scene_sections()) {
+    if (section.path != path) continue;
+    for (const Key& key : section.keys) table.has(key);
+  }
+}
+
+/// Refuses unknown keys before anything is read: a misspelt key is then named, not reported missing.
+void require_known_keys(const Table& root) {
+  expect(root, "");
+  for (const char* section : {"domain", "fluid", "flow", "placement", "coupling", "repulsion", "solver", "run",
+                              "output"}) {
+    if (root.has(section)) expect(root.table(section), section);
+  }
+  for (const Table& cells : root.tables("cells")) {
+    expect(cells, "cells");
+    for (const Table& position : cells.tables("positions")) expect(position, "cells.positions");
+  }
+  root.finish();
+}
+
+RepulsionSettings read_repulsion(const Table& table, const Key& range, const Key& strength, double dx) {
+  const RepulsionSettings repulsion{table.has(range) ? table.quantity(range) : dx, table.quantity(strength)};
+  if (repulsion.range > 2 * dx) {
+    table.fail(range.name, format_quantity(repulsion.range, "um") + " is more than two node spacings (" +
+                               format_quantity(2 * dx, "um") + "), the farthest that is looked");
+  }
+  return repulsion;
+}
+
+void read_coupling(const Table& table, Setup& setup) {
+  setup.coupling.scheme =
+      table.choice(keys::scheme) == "implicit" ? CouplingScheme::implicit : CouplingScheme::peskin;
+  setup.coupling.kernel_points = within(table, keys::kernel, 2, 4);
+  setup.coupling.steps_per_solve = within(table, keys::cell_every, 1, 1000);
+}
+
+std::vector<std::pair<std::string, double>> read_solver(const Table& table) {
+  std::vector<std::pair<std::string, double>> options;
+  if (table.has(keys::tolerance)) options.emplace_back("tolerance", table.quantity(keys::tolerance));
+  if (table.has(keys::residual_bound)) options.emplace_back("residual_bound", table.quantity(keys::residual_bound));
+  if (table.has(keys::max_iterations)) {
+    options.emplace_back("max_iterations", within(table, keys::max_iterations, 1, 1000000));
+  }
+  return options;
+}
+
+std::int64_t whole_steps(const Table& table, const Key& key, double time_step) {
+  const double steps = table.quantity(key) / time_step;
+  if (steps > 1e15) table.fail(key.name, "is more than 1e15 time steps of " + format_quantity(time_step, "us"));
+  return steps > 0 ? std::max<std::int64_t>(1, std::llround(steps)) : 0;
+}
+
+/// Whichever of steps and time comes first, so that either shortens a run.
+std::int64_t read_steps(const Table& table, double time_step) {
+  const bool by_steps = table.has(keys::steps);
+  const bool by_time = table.has(keys::time);
+  if (!by_steps && !by_time) table.fail("\"steps\" or \"time\" is needed");
+  std::int64_t steps = std::numeric_limits<std::int64_t>::max();
+  if (by_steps) steps = table.integer(keys::steps);
+  if (by_time) steps = std::min(steps, whole_steps(table, keys::time, time_step));
+  return steps;
+}
+
+OutputSettings read_output(const Table& table, double time_step) {
+  OutputSettings output;
+  output.cells = table.boolean(keys::cells);
+  output.fluid = table.boolean(keys::fluid);
+  output.cells_every = whole_steps(table, keys::cells_every, time_step);
+  output.fluid_every = whole_steps(table, keys::fluid_every, time_step);
+  output.table_every = whole_steps(table, keys::table_every, time_step);
+  output.into_box = table.boolean(keys::into_box);
+  return output;
+}
+
+Scene read(text::Document document, const std::filesystem::path& folder, const std::vector<std::string>& assignments) {
+  for (const std::string& assignment : assignments) document.set(assignment);
+  Scene scene(std::move(document));
+  const Table root = scene.document.root();
+  require_known_keys(root);
+  if (root.integer(keys::schema_version) != 1) root.fail("schema_version", "this program reads version 1 only");
+  scene.title = root.text(keys::title);
+  Setup& setup = scene.setup;
+  setup.domain = read_domain(root.table("domain"));
+  read_fluid(root.table("fluid"), setup);
+  read_flow(root.table("flow"), scene);
+  for (const Table& cells : root.tables("cells")) {
+    scene.requests.push_back(read_cells(cells, scene.requests, folder));
+  }
+  const Table placement = root.table("placement");
+  scene.seed = static_cast<std::uint64_t>(placement.integer(keys::seed));
+  scene.gap = placement.quantity(keys::gap);
+  read_coupling(root.table("coupling"), setup);
+  const Table repulsion = root.table("repulsion");
+  setup.cell_repulsion = read_repulsion(repulsion, keys::range, keys::strength, setup.domain.dx);
+  setup.wall_repulsion = read_repulsion(repulsion, keys::wall_range, keys::wall_strength, setup.domain.dx);
+  scene.solver_options = read_solver(root.table("solver"));
+  scene.steps = read_steps(root.table("run"), setup.time_step);
+  scene.output = read_output(root.table("output"), setup.time_step);
+  return scene;
+}
+
+}  // namespace
+
+std::string resolved_text(Scene& scene) {
+  for (std::size_t i = 0; i < scene.requests.size(); ++i) {
+    const CellsRequest& request = scene.requests[i];
+    const std::string path = "cells[" + std::to_string(i) + "].";
+    const auto quoted = [](const std::string& file) {
+      return std::string("'").append(std::filesystem::absolute(file).lexically_normal().string()).append("'");
+    };
+    if (request.material_is_file) scene.document.set(path + "material", quoted(request.material));
+    if (!request.mesh_file.empty()) scene.document.set(path + "mesh", quoted(request.mesh_file));
+  }
+  return scene.document.to_toml();
+}
+
+Scene read_scene(const std::string& path, const std::vector<std::string>& assignments) {
+  return read(text::Document::parse_file(path), std::filesystem::path(path).parent_path(), assignments);
+}
+
+Scene parse_scene(const std::string& text, const std::string& name, const std::vector<std::string>& assignments) {
+  return read(text::Document::parse_text(text, name), {}, assignments);
+}
+
+}  // namespace npfem::flow

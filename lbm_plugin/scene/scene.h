@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulation/setup.h"
+#include "toml_reader.h"
+
+namespace npfem::flow {
+
+/// One [[cells]] table: a type of cell and how many of it.
+struct CellsRequest {
+  explicit CellsRequest(const text::Table& its_table) : table(its_table) {}
+
+  std::string name;
+  std::string material;  ///< preset, or path from the working directory
+  bool material_is_file = false;
+  std::string mesh_file;  ///< empty: the shape of the material
+  int level = -1;         ///< -1: that of the material
+  std::optional<double> haematocrit;
+  std::optional<int> count;
+  std::optional<double> ratio;  ///< cells per cell of the type `ratio_to`
+  int ratio_to = -1;
+  std::vector<CellStart> positions;
+  text::Table table;                         ///< for errors found later
+  std::vector<text::Table> position_tables;  ///< as positions
+};
+
+struct OutputSettings {
+  bool cells = true, fluid = true;
+  // fluid steps between outputs; 0: at the start and the end only
+  std::int64_t cells_every = 0, fluid_every = 0, table_every = 0;
+  bool into_box = true;
+};
+
+/// A scene file, read and checked as far as that goes without making any cell.
+struct Scene {
+  explicit Scene(text::Document read) : document(std::move(read)) {}
+
+  text::Document document;
+  std::string title;
+  Setup setup;  ///< all but types and cells
+  std::vector<CellsRequest> requests;
+  std::vector<std::pair<std::string, double>> solver_options;
+  std::uint64_t seed = 1;
+  double gap = 0;
+  std::int64_t steps = 0;
+  OutputSettings output;
+  double largest_velocity = 0;    ///< um/us, of the steady flow without cells
+  double largest_shear_rate = 0;  ///< 1/us, the same
+};
+
+/// Reads the file; `assignments` are like "run.steps=100". Throws text::InputError (with file, line and column) or
+/// text::FileError.
+Scene read_scene(const std::string& path, const std::vector<std::string>& assignments = {});
+
+/// The same from text; `name` stands for the file in messages, and paths are taken from the working directory.
+Scene parse_scene(const std::string& text, const std::string& name, const std::vector<std::string>& assignments = {});
+
+/// The record of what a run was made from: the scene as TOML, changes and defaults included, its files by their full
+/// paths.
+std::string resolved_text(Scene& scene);
+
+}  // namespace npfem::flow

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/domain.h"
+#include "npfem/npfem.hpp"
+
+namespace npfem::flow {
+
+/// A kind of cell: one model shared by all its cells.
+struct CellType {
+  std::string name;                                    ///< for example "rbc"
+  std::shared_ptr<const api::Model> model;
+  std::vector<double> shape;                           ///< xyz of the relaxed, unloaded cell about the origin, um
+  std::vector<std::int32_t> triangles;
+  std::vector<std::pair<std::string, double>> options;  ///< numbers set on every batch of this type (npfem_set_f64)
+};
+
+/// Where one cell starts: its shape turned by `rotation` (row-major), then moved to `centre` (um).
+struct CellStart {
+  int type;
+  Vec3 centre;
+  std::array<double, 9> rotation;
+};
+
+enum class CouplingScheme {
+  implicit,  ///< ambient mass in the cell solver's implicit step, incremental form: stable for any stiffness
+  peskin,    ///< explicit forces, vertices move with the fluid: the yardstick while it is stable
+};
+
+struct CouplingSettings {
+  CouplingScheme scheme = CouplingScheme::implicit;
+  int kernel_points = 4;   ///< width of the immersed-boundary kernel in nodes: 2, 3 or 4
+  int steps_per_solve = 1; ///< fluid steps per step of the cell solver (k)
+};
+
+/// Smooth repulsion that keeps surfaces apart: force strength * (1 - d/range)^2 at distance d < range.
+struct RepulsionSettings {
+  double range = 0;     ///< um; 0 switches it off; at most two node spacings
+  double strength = 0;  ///< pN per vertex pair at contact
+};
+
+/// Everything a coupled run needs, in um, us, fg: what a scene file is turned into.
+struct Setup {
+  Domain domain;
+  double time_step = 0;            ///< us, of the fluid
+  double density = 0;              ///< fg/um3
+  double kinematic_viscosity = 0;  ///< um2/us
+  Vec3 body_force{};               ///< pN/um3, drives the flow
+  double magic_parameter = 3.0 / 16.0;
+  bool start_developed = false;    ///< start from the steady flow without cells (Couette, Poiseuille) instead of from rest
+  CouplingSettings coupling;
+  RepulsionSettings cell_repulsion;
+  RepulsionSettings wall_repulsion;
+  std::vector<CellType> types;
+  std::vector<CellStart> cells;    ///< the index is the cell's global id
+};
+
+}  // namespace npfem::flow

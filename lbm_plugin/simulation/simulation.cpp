@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "simulation/simulation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <set>
+#include <span>
+
+#include "contact/minimum_gap.h"
+#include "coupling/coupling.h"
+#include "coupling/stopwatch.h"
+#include "geometry/vec3.h"
+#include "simulation/start.h"
+
+namespace npfem::flow {
+namespace {
+
+const Setup& checked(const Setup& setup) {
+  require_sound(setup);
+  return setup;
+}
+
+Units units_of(const Setup& setup) { return {setup.domain.dx, setup.time_step, setup.density}; }
+
+double cell_time_step(const Setup& setup) { return setup.coupling.steps_per_solve * setup.time_step; }
+
+/// Volume (um3) enclosed by a surface of outward triangles: the sum of the tetrahedra over the origin.
+double enclosed_volume(std::span<const double> xyz, std::span<const std::int32_t> triangles) {
+  const auto corner = [&](std::size_t i) {
+    const auto v = static_cast<std::size_t>(triangles[i]);
+    return Vec3{xyz[3 * v], xyz[3 * v + 1], xyz[3 * v + 2]};
+  };
+  double six_volumes = 0;
+  for (std::size_t t = 0; t + 2 < triangles.size(); t += 3) {
+    six_volumes += dot(corner(t), cross(corner(t + 1), corner(t + 2)));
+  }
+  return six_volumes / 6.0;
+}
+
+}  // namespace
+
+struct Simulation::State {
+  State(const Setup& given, Communicator& group)
+      : setup(checked(given)),
+        communicator(group),
+        units(units_of(setup)),
+        decomposition(setup.domain.nodes, setup.domain.periodic(), group.size()),
+        lattice(group, decomposition, lattice_geometry(setup.domain, units), lattice_options(setup, units)),
+        cells(setup, group, decomposition, cell_time_step(setup)),
+        fluid(setup, units, group, lattice) {}
+
+  void start();
+  void load_fluid();
+  void record(const CellStepReport& report);
+  void record_failures(const std::vector<LocalFailure>& local);
+  bool solves_now() const { return coupling && steps % setup.coupling.steps_per_solve == 0; }
+  std::vector<CellSurface> surfaces() const;
+
+  Setup setup;
+  Communicator& communicator;
+  Units units;
+  Decomposition decomposition;
+  Lattice lattice;
+  CellPopulation cells;
+  FluidLink fluid;
+  MomentumAudit audit;
+  std::unique_ptr<Coupling> coupling;  // none where there are no cells
+  std::vector<double> start_volumes;   // um3, by type
+  std::vector<CellFailure> failures;
+  std::set<int> failed_cells;
+  Counters counters;                   // of this rank
+  double coupling_seconds = 0;
+  std::int64_t steps = 0;
+};
+
+Simulation::Simulation(const Setup& setup, Communicator& communicator)
+    : state_(std::make_unique<State>(setup, communicator)) {
+  state_->start();
+}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+
+void Simulation::State::start() {
+  if (setup.start_developed) {
+    lattice.initialise([this](int ix, int iy, int iz) {
+      const Vec3 position = scale(units.dx, {ix + 0.5, iy + 0.5, iz + 0.5});
+      return FluidState{0, scale(1.0 / units.velocity(), developed_velocity(setup, position))};
+    });
+  }
+  audit.hold(lattice, {}, 0);
+  if (!setup.cells.empty()) {
+    coupling = Coupling::create({setup, units, cells, fluid, lattice, audit});
+    coupling->hold_present_forces();
+  }
+  audit.start(lattice);
+  for (const CellType& type : setup.types) start_volumes.push_back(enclosed_volume(type.shape, type.triangles));
+}
+
+void Simulation::step() {
+  State& s = *state_;
+  if (s.solves_now()) s.load_fluid();
+  {
+    const Stopwatch watch(s.counters.fluid_seconds);
+    s.lattice.step();
+  }
+  s.audit.count_step(s.lattice);
+  ++s.steps;
+  if (s.solves_now()) {
+    const Stopwatch watch(s.coupling_seconds);
+    s.record(s.coupling->follow_fluid());
+  }
+}
+
+void Simulation::State::load_fluid() {
+  const Stopwatch watch(coupling_seconds);
+  cells.migrate();
+  record(coupling->load_fluid());
+}
+
+void Simulation::State::record(const CellStepReport& report) {
+  counters.cell_steps += report.cell_steps;
+  counters.iterations += report.iterations;
+  counters.worst_residual_pN = std::max(counters.worst_residual_pN, report.worst_residual);
+  if (communicator.any(!report.failures.empty())) record_failures(report.failures);
+}
+
+/// Makes every rank know the failures of all, in order of id. A cell is named once, when it first fails.
+void Simulation::State::record_failures(const std::vector<LocalFailure>& local) {
+  Bytes packed;
+  const auto append = [&packed](std::span<const std::byte> bytes) {
+    packed.insert(packed.end(), bytes.begin(), bytes.end());
+  };
+  for (const LocalFailure& failure : local) {
+    const std::array<int, 3> tag{failure.id, failure.type, static_cast<int>(failure.reason.size())};
+    append(std::as_bytes(std::span(tag)));
+    append(std::as_bytes(std::span(failure.reason)));
+  }
+  std::vector<CellFailure> fresh;
+  for (const Bytes& bytes : communicator.all_gather(packed)) {
+    for (std::size_t at = 0; at < bytes.size();) {
+      std::array<int, 3> tag;
+      std::memcpy(tag.data(), bytes.data() + at, sizeof tag);
+      at += sizeof tag;
+      const auto length = static_cast<std::size_t>(tag[2]);
+      const std::string reason(reinterpret_cast<const char*>(bytes.data() + at), length);
+      at += length;
+      if (failed_cells.insert(tag[0]).second) fresh.push_back({tag[0], tag[1], steps, reason});
+    }
+  }
+  std::sort(fresh.begin(), fresh.end(), [](const CellFailure& a, const CellFailure& b) { return a.id < b.id; });
+  failures.insert(failures.end(), fresh.begin(), fresh.end());
+}
+
+std::vector<CellSurface> Simulation::State::surfaces() const {
+  std::vector<double> positions;
+  cells.read("position", positions);
+  std::vector<CellSurface> own;
+  for (const CellPopulation::Cell& cell : cells.cells()) {
+    const auto first = positions.begin() + static_cast<std::ptrdiff_t>(3 * cell.first_vertex);
+    const auto count = static_cast<std::ptrdiff_t>(3 * cells.vertices_of(cell.type));
+    own.push_back({cell.id, cell.type, {first, first + count}});
+  }
+  return own;
+}
+
+const std::vector<CellFailure>& Simulation::failures() const { return state_->failures; }
+std::int64_t Simulation::steps_done() const { return state_->steps; }
+double Simulation::time_us() const { return static_cast<double>(state_->steps) * state_->setup.time_step; }
+const Setup& Simulation::setup() const { return state_->setup; }
+const Units& Simulation::units() const { return state_->units; }
+const Lattice& Simulation::lattice() const { return state_->lattice; }
+const Decomposition& Simulation::decomposition() const { return state_->decomposition; }
+int Simulation::cell_count() const { return static_cast<int>(state_->setup.cells.size()); }
+
+std::vector<CellState> Simulation::local_cells() const {
+  const CellPopulation& cells = state_->cells;
+  std::vector<CellState> states;
+  for (const CellPopulation::Cell& cell : cells.cells()) {
+    const api::Batch& batch = cells.batch(cell.type);
+    const std::int32_t handle = batch.handle();
+    CellState& state = states.emplace_back();
+    state.id = cell.id;
+    state.type = cell.type;
+    for (const auto& [field, values] : {std::pair{"position", &state.position}, std::pair{"velocity", &state.velocity},
+                                        std::pair{"held_force", &state.force}}) {
+      values->resize(3 * cells.vertices_of(cell.type));
+      batch.read(field, cell.slot, 1, *values);
+    }
+    api::check(npfem_batch_measure(handle, "volume", cell.slot, 1, &state.volume, 1));
+    api::check(npfem_batch_measure(handle, "area", cell.slot, 1, &state.area, 1));
+    api::check(npfem_batch_get_status(handle, cell.slot, 1, &state.status, 1));
+    api::check(npfem_batch_get_iterations(handle, cell.slot, 1, &state.iterations, 1));
+    api::check(npfem_batch_get_residual(handle, cell.slot, 1, &state.residual, 1));
+  }
+  return states;
+}
+
+Counters Simulation::counters() const {
+  Counters total = state_->counters;
+  std::array<std::int64_t, 2> counts{total.cell_steps, total.iterations};
+  state_->communicator.sum(counts);
+  total.cell_steps = counts[0];
+  total.iterations = counts[1];
+  state_->communicator.maximum(std::span(&total.worst_residual_pN, 1));
+  total.exchange_seconds = state_->fluid.seconds();
+  total.cell_seconds = state_->coupling_seconds - total.exchange_seconds;
+  return total;
+}
+
+double Simulation::volume_error() const {
+  double worst = 0;
+  for (const CellPopulation::Cell& cell : state_->cells.cells()) {
+    double volume = 0;
+    const std::int32_t handle = state_->cells.batch(cell.type).handle();
+    api::check(npfem_batch_measure(handle, "volume", cell.slot, 1, &volume, 1));
+    worst = std::max(worst, std::abs(volume / state_->start_volumes[static_cast<std::size_t>(cell.type)] - 1.0));
+  }
+  state_->communicator.maximum(std::span(&worst, 1));
+  return worst;
+}
+
+double Simulation::momentum_error() const { return state_->audit.error(state_->lattice, state_->communicator); }
+
+double Simulation::minimum_gap() const {
+  const State& s = *state_;
+  return smallest_cell_gap(s.setup.domain, s.setup.types, s.communicator, s.surfaces());
+}
+
+double Simulation::minimum_wall_gap() const {
+  return smallest_wall_gap(state_->setup.domain, state_->communicator, state_->surfaces());
+}
+
+std::uint64_t Simulation::state_hash() const {
+  return state_->communicator.sum_hash(state_->lattice.state_hash() + state_->cells.state_hash());
+}
+
+}  // namespace npfem::flow

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "communicator/communicator.h"
+#include "communicator/decomposition.h"
+#include "lattice/lattice.h"
+#include "simulation/setup.h"
+#include "units.h"
+
+namespace npfem::flow {
+
+/// A cell whose step failed. It stays where it was, with the state it had before that step.
+struct CellFailure {
+  int id;             ///< global id of the cell
+  int type;           ///< index into Setup::types
+  std::int64_t step;  ///< fluid step in which it failed
+  std::string reason;
+};
+
+/// One cell as output sees it, at the present time. Copies: valid for as long as the reader keeps them.
+struct CellState {
+  int id;                        ///< global id
+  int type;                      ///< index into Setup::types
+  std::vector<double> position;  ///< xyz of every vertex, um, unwrapped: whole also across a periodic face
+  std::vector<double> velocity;  ///< um/us
+  std::vector<double> force;     ///< pN, exerted on the fluid
+  double volume;                 ///< um3
+  double area;                   ///< um2
+  int status;                    ///< NPFEM_CELL_... of its last step
+  int iterations;                ///< of its last step
+  double residual;               ///< pN, of its last step
+};
+
+/// What a run has done so far, by the whole system; times are this rank's.
+struct Counters {
+  std::int64_t cell_steps = 0;    ///< steps of single cells
+  std::int64_t iterations = 0;    ///< iterations of the cell solver over all cells and steps
+  double worst_residual_pN = 0;   ///< largest residual force that any cell step ended with
+  double fluid_seconds = 0;     ///< in the lattice
+  double cell_seconds = 0;      ///< in the cell solver and in moving cells between ranks
+  double exchange_seconds = 0;  ///< between vertices and nodes: interpolation, spreading, contacts, messages
+};
+
+/// A suspension of deformable cells in a lattice Boltzmann fluid: the whole coupled run, one fluid step at a time.
+///
+/// The same setup gives the same bits for any number of ranks. Calls marked collective must be made by all ranks.
+class Simulation {
+ public:
+  /// Places the cells and starts the fluid: at rest, or with the steady flow that would be there without cells. Lattice
+  /// and cells hold the forces of the first positions, so that cells that start under tension start without a jump.
+  /// Collective. Throws std::exception, saying what is wrong, where the setup cannot run.
+  Simulation(const Setup& setup, Communicator& communicator);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+
+  /// Advances fluid and cells by one fluid step; the cells are solved at every steps_per_solve-th. Collective.
+  void step();
+
+  /// Every cell that has failed so far, in order of step and id; the same list on every rank.
+  const std::vector<CellFailure>& failures() const;
+
+  std::int64_t steps_done() const;
+  double time_us() const;
+  const Setup& setup() const;
+  const Units& units() const;
+  const Lattice& lattice() const;
+  const Decomposition& decomposition() const;
+
+  /// The cells this rank owns, in order of global id.
+  std::vector<CellState> local_cells() const;
+  /// Cells of the whole system.
+  int cell_count() const;
+
+  Counters counters() const;       ///< collective
+  double volume_error() const;     ///< max over all cells of |V / V_start - 1|; collective
+  double momentum_error() const;   ///< see coupling/momentum_audit.h; collective
+  double minimum_gap() const;       ///< um, vertex to triangle between cells, infinity below two cells; collective
+  double minimum_wall_gap() const;  ///< um, vertex to wall, infinity without walls; collective
+  std::uint64_t state_hash() const;  ///< of fluid and cells, the same for any number of ranks; collective
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace npfem::flow

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <vector>
+
+#include "backend/cell_status.h"
+#include "backend/reference/vertex_field.h"
+
+namespace npfem {
+
+/// Everything that one cell is at one time. Units: um, us, fg, pN.
+struct CellState {
+  VertexField position, velocity, external_force, ambient_velocity, held_force, elastic_force;
+  VertexField tied_at;  ///< where each vertex stood when a patch tied it
+  Eigen::VectorXd ambient_mass;
+  std::vector<double> energies;  ///< of the last evaluation, pN um
+  CellReport report;
+};
+
+}  // namespace npfem

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "backend/reference/step_factor.h"
+
+#include <vector>
+
+#include "error.h"
+
+namespace npfem {
+
+StepFactor::StepFactor(const Model& model, const Eigen::VectorXd& diagonal, double scale,
+                       std::span<const Patch> patches) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < model.num_vertices(); ++i) entries.emplace_back(i, i, diagonal(i));
+  // Springs to the mean of a patch: stiffness * (1 - 1/m), a small dense block.
+  for (const Patch& patch : patches) {
+    const double share = patch.stiffness / static_cast<double>(patch.vertices.size());
+    for (const int i : patch.vertices) {
+      entries.emplace_back(i, i, patch.stiffness);
+      for (const int j : patch.vertices) entries.emplace_back(i, j, -share);
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(model.num_vertices(), model.num_vertices());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  matrix += scale * model.weight;
+  factor_.compute(matrix);
+  if (factor_.info() != Eigen::Success || !(factor_.vectorD().minCoeff() > 0)) {
+    throw Error(Status::bad_input,
+                "the matrix M/dt^2 + W is not positive definite: every vertex needs a mass (solid_mass + ambient_mass > "
+                "0) and the material positive moduli");
+  }
+}
+
+VertexField StepFactor::solve(const VertexField& force) const { return factor_.solve(force); }
+
+}  // namespace npfem

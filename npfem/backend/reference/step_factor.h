@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <span>
+
+#include "backend/backend.h"
+#include "backend/reference/vertex_field.h"
+
+namespace npfem {
+
+/// The constant matrix of a quasi-Newton iteration, factorised once and shared by all cells of a model:
+///   N = diag(diagonal) + scale * W + patches,
+/// W the sum of the energies' weights. One n x n matrix serves x, y and z.
+class StepFactor {
+ public:
+  /// `diagonal` in pN/um. Throws Error(bad_input) where N is not positive definite.
+  StepFactor(const Model& model, const Eigen::VectorXd& diagonal, double scale, std::span<const Patch> patches);
+
+  VertexField solve(const VertexField& force) const;
+
+ private:
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
+};
+
+}  // namespace npfem

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include "energies/vec3.h"
+
+namespace npfem {
+
+/// How a surface law answers a strain: energy per rest area and its derivatives by the two invariants.
+template <class T>
+struct SurfaceResponse {
+  T energy;          ///< W, pN/um
+  T by_square_sum;   ///< dW/dt, t = l1^2 + l2^2 (l1, l2: principal stretches)
+  T by_area_ratio;   ///< dW/dJ, J = l1 l2
+};
+
+/// In-plane strain of a linear triangle. Both invariants come from the metric, without a singular value decomposition.
+template <class R>
+struct TriangleRest {
+  R inverse_metric_11, inverse_metric_12, inverse_metric_22;  ///< of the rest edges x1 - x0 and x2 - x0, 1/um^2
+  R area;                                                     ///< um^2
+};
+
+template <class R>
+NPFEM_HD TriangleRest<R> triangle_rest(const Vec3<R> (&rest)[3]) {
+  const Vec3<R> e1 = rest[1] - rest[0], e2 = rest[2] - rest[0];
+  const R g11 = dot(e1, e1), g12 = dot(e1, e2), g22 = dot(e2, e2);
+  const R determinant = g11 * g22 - g12 * g12;
+  return {g22 / determinant, -g12 / determinant, g11 / determinant, R(0.5) * norm(cross(e1, e2))};
+}
+
+/// An isotropic membrane made of linear triangles: E = A0 W(t, J) for each.
+///
+/// Law supplies `name`, `Params<R>`, `zero_at_rest`, `respond(t, J, params)` and `stiffness(params)`: the modulus (uN/m)
+/// by which the law enters the quasi-Newton matrix. Any number of laws may share one strain of a triangle.
+/// Source: constant-strain triangle in principal stretches, e.g. Charrier, Shrivastava & Wu 1989.
+template <class Law>
+struct Membrane {
+  static constexpr const char* name = Law::name;
+  static constexpr int num_vertices = 3;
+  static constexpr bool zero_at_rest = Law::zero_at_rest;
+
+  template <class R>
+  using Params = typename Law::template Params<R>;
+  template <class R>
+  using Rest = TriangleRest<R>;
+
+  template <class R>
+  NPFEM_HD static Rest<R> rest(const Vec3<R> (&x)[3], const Params<R>&) {
+    return triangle_rest(x);
+  }
+
+  /// Returns E (pN um); writes dE/dx (pN).
+  template <class T, class R>
+  NPFEM_HD static T energy_gradient(const Vec3<T> (&x)[3], const Rest<R>& rest, const Params<R>& params,
+                                    Vec3<T> (&gradient)[3]) {
+    const Vec3<T> e1 = x[1] - x[0], e2 = x[2] - x[0];
+    const Vec3<T> normal = cross(e1, e2);
+    const T twice_area = norm(normal);
+    const T square_sum = rest.inverse_metric_11 * dot(e1, e1) + R(2) * rest.inverse_metric_12 * dot(e1, e2) +
+                         rest.inverse_metric_22 * dot(e2, e2);
+    const T area_ratio = R(0.5) / rest.area * twice_area;
+
+    const SurfaceResponse<T> w = Law::respond(square_sum, area_ratio, params);
+
+    // A triangle collapsed to a line has no normal: the area then pulls nowhere.
+    const Vec3<T> unit_normal = (T(1) / larger(twice_area, T(1e-30f))) * normal;
+    const T a = R(2) * rest.area * w.by_square_sum;
+    const T b = R(0.5) * w.by_area_ratio;
+    gradient[1] = a * (rest.inverse_metric_11 * e1 + rest.inverse_metric_12 * e2) + b * cross(e2, unit_normal);
+    gradient[2] = a * (rest.inverse_metric_12 * e1 + rest.inverse_metric_22 * e2) + b * cross(unit_normal, e1);
+    gradient[0] = -(gradient[1] + gradient[2]);
+    return rest.area * w.energy;
+  }
+
+  /// Rows r with sum r r^T = stiffness A0 (grad . grad): the triangle's part of the quasi-Newton matrix, positive
+  /// semidefinite by construction. Returns the number of rows.
+  template <class R>
+  static int weight_rows(const Rest<R>& rest, const Params<R>& params, R (&rows)[2][3]) {
+    const R scale = square_root(Law::stiffness(params) * rest.area);
+    const R l11 = square_root(rest.inverse_metric_11);
+    const R l21 = rest.inverse_metric_12 / l11;
+    const R l22 = square_root(rest.inverse_metric_22 - l21 * l21);
+    rows[0][0] = -scale * (l11 + l21), rows[0][1] = scale * l11, rows[0][2] = scale * l21;
+    rows[1][0] = -scale * l22, rows[1][1] = R(0), rows[1][2] = scale * l22;
+    return 2;
+  }
+};
+
+}  // namespace npfem

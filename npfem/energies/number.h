@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <cmath>
+
+#include "energies/host_device.h"
+
+namespace npfem {
+
+// What an energy asks of its number type T besides + - * /. A pack of SIMD lanes offers the same functions, which is why
+// energies choose with select() and never with `if`: every lane may take another side.
+
+NPFEM_HD inline double square_root(double a) { return ::sqrt(a); }
+NPFEM_HD inline float square_root(float a) { return ::sqrtf(a); }
+
+NPFEM_HD inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
+NPFEM_HD inline float select(bool condition, float yes, float no) { return condition ? yes : no; }
+
+template <class T>
+NPFEM_HD T larger(const T& a, const T& b) {
+  return select(a < b, b, a);
+}
+
+template <class T>
+NPFEM_HD T clamp(const T& a, const T& least, const T& largest) {
+  return select(a < least, least, select(largest < a, largest, a));
+}
+
+}  // namespace npfem

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: MPL-2.0
+"""The verbs of the program that live in Python: `npfem stretch`, `npfem preview`; also `python -m npfem ...`.
+
+Exit codes: 0 done, 1 failed, 2 bad input.
+"""
+import argparse
+import sys
+
+from . import preview_verb, stretch_verb
+from ._library import Error
+
+OK, FAILED, BAD_INPUT = 0, 1, 2
+
+# Of npfem.h: statuses that bad input leads to.
+_BAD_INPUT_STATUSES = ("NPFEM_ERROR_ARGUMENT", "NPFEM_ERROR_INPUT", "NPFEM_ERROR_NAME", "NPFEM_ERROR_IO")
+
+
+def parser():
+    """The command line: one sub-command per verb."""
+    top = argparse.ArgumentParser(prog="npfem", description="Deformable blood cells: tools written in Python.")
+    verbs = top.add_subparsers(dest="verb", metavar="verb", required=True)
+    for verb in (stretch_verb, preview_verb):
+        verb.add_to(verbs)
+    return top
+
+
+def main(arguments=None):
+    """Runs one verb; returns its exit code."""
+    chosen = parser().parse_args(arguments)
+    try:
+        return chosen.run(chosen)
+    except Error as error:
+        print("npfem %s: %s" % (chosen.verb, error), file=sys.stderr)
+        return BAD_INPUT if error.name in _BAD_INPUT_STATUSES else FAILED
+    except (OSError, ValueError) as error:
+        print("npfem %s: %s" % (chosen.verb, error), file=sys.stderr)
+        return BAD_INPUT
+    except ImportError as error:
+        print("npfem %s: %s" % (chosen.verb, error), file=sys.stderr)
+        return FAILED
+
+
+if __name__ == "__main__":
+    sys.exit(main())

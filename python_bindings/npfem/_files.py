@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MPL-2.0
+"""Writing files so that none is ever half-written."""
+import os
+
+
+def require_writable(path):
+    """Raises OSError, naming the path, where a file could not be written there: before work is spent on it."""
+    folder = os.path.dirname(os.path.abspath(path))
+    if not os.path.isdir(folder):
+        raise OSError("cannot write %s: there is no folder %s" % (path, folder))
+    if os.path.isdir(path):
+        raise OSError("cannot write %s: it is a folder" % path)
+    if not os.access(path if os.path.exists(path) else folder, os.W_OK):
+        raise OSError("cannot write %s: no permission" % path)
+
+
+def write_aside(path, write):
+    """Calls write(other path with the same ending), then gives that file its name."""
+    root, ending = os.path.splitext(path)
+    aside = "%s.%d%s" % (root, os.getpid(), ending)
+    try:
+        write(aside)
+        os.replace(aside, path)
+    finally:
+        if os.path.exists(aside):
+            os.remove(aside)

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MPL-2.0
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "geometry/vec3.h"
+#include "scene/scene.h"
+#include "scene/scene_keys.h"
+#include "scene_text.h"
+#include "scratch_folder.h"
+
+namespace npfem::flow {
+namespace {
+
+Scene parsed(const std::string& text, const std::vector<std::string>& assignments = {}) {
+  return parse_scene(text, "scene.toml", assignments);
+}
+
+TEST(ReadScene, TurnsEverythingIntoBaseUnits) {
+  const Scene scene = parsed(shear_scene);
+  const flow::Setup& setup = scene.setup;
+  EXPECT_EQ(scene.title, "test");
+  EXPECT_EQ(setup.domain.kind, DomainKind::shear_box);
+  EXPECT_EQ(setup.domain.nodes, (std::array<int, 3>{28, 24, 20}));
+  EXPECT_DOUBLE_EQ(setup.domain.dx, 0.5);
+  EXPECT_DOUBLE_EQ(setup.domain.plate_speed, 1e-3 * 12);  // 1000/s = 1e-3/us
+  EXPECT_DOUBLE_EQ(setup.density, 1025);
+  EXPECT_DOUBLE_EQ(setup.kinematic_viscosity, 1200.0 / 1025);
+  EXPECT_DOUBLE_EQ(setup.time_step, 0.1);
+  EXPECT_DOUBLE_EQ(setup.magic_parameter, 3.0 / 16);
+  EXPECT_FALSE(setup.start_developed);
+  EXPECT_EQ(setup.coupling.scheme, CouplingScheme::implicit);
+  EXPECT_EQ(setup.coupling.kernel_points, 4);
+  EXPECT_DOUBLE_EQ(setup.cell_repulsion.range, 0.5);  // dx
+  EXPECT_EQ(scene.steps, 10);
+  EXPECT_EQ(scene.requests.at(0).count, 1);
+  EXPECT_EQ(scene.requests.at(0).level, 2);
+  EXPECT_DOUBLE_EQ(scene.largest_shear_rate, 1e-3);
+  EXPECT_DOUBLE_EQ(scene.largest_velocity, 6e-3);
+}
+
+TEST(ReadScene, TauSetsTheTimeStep) {
+  const Scene scene = parsed(with(shear_scene, "time_step = \"0.1 us\"", "tau = 1.1"));
+  const double nu = 1200.0 / 1025;
+  EXPECT_NEAR(scene.setup.time_step, (1.1 - 0.5) / 3 * 0.25 / nu, 1e-15);
+}
+
+/// A tube driven by G: mean velocity G R^2 / (8 mu); plates: G H^2 / (12 mu). Three ways to say the same.
+TEST(ReadScene, DrivesThePlainFluidAtTheVelocityAskedFor) {
+  const std::string tube = with(with(shear_scene, "kind = \"shear_box\"\nsize = [\"14 um\", \"12 um\", \"10 um\"]",
+                                     "kind = \"tube\"\ndiameter = \"20 um\"\nlength = \"30 um\""),
+                                "shear_rate = \"1000 1/s\"", "DRIVE\nstart = \"developed\"");
+  const Scene mean = parsed(with(tube, "DRIVE", "mean_velocity = \"10 mm/s\""));
+  const Scene centre = parsed(with(tube, "DRIVE", "centre_velocity = \"20 mm/s\""));
+  const double gradient = 8 * 1200.0 * 0.01 / 100;  // Pa/um
+  EXPECT_NEAR(mean.setup.body_force[2], gradient, 1e-12);
+  EXPECT_NEAR(centre.setup.body_force[2], gradient, 1e-12);
+  EXPECT_NEAR(mean.largest_velocity, 0.02, 1e-15);
+  EXPECT_NEAR(mean.largest_shear_rate, 4 * 0.01 / 10, 1e-15);
+  EXPECT_TRUE(mean.setup.start_developed);
+  const Scene by_pressure = parsed(with(tube, "DRIVE", "pressure_gradient = \"0.96 MPa/m\""));
+  EXPECT_NEAR(by_pressure.setup.body_force[2], 0.96, 1e-12);
+
+  const Scene plates = parsed(with(with(shear_scene, "shear_box", "plates"), "shear_rate = \"1000 1/s\"",
+                                   "mean_velocity = \"6 mm/s\""));
+  EXPECT_NEAR(plates.setup.body_force[0], 12 * 1200.0 * 0.006 / 144, 1e-12);
+  EXPECT_NEAR(plates.largest_velocity, 0.009, 1e-15);
+}
+
+TEST(ReadScene, AssignmentsChangeValues) {
+  const Scene scene = parsed(shear_scene, {"run.steps=3", "fluid.time_step=0.2 us", "cells[0].count=2"});
+  EXPECT_EQ(scene.steps, 3);
+  EXPECT_DOUBLE_EQ(scene.setup.time_step, 0.2);
+  EXPECT_EQ(scene.requests.at(0).count, 2);
+}
+
+TEST(ReadScene, EndsAtStepsOrTimeWhicheverComesFirst) {
+  EXPECT_EQ(parsed(with(shear_scene, "steps = 10", "time = \"2 us\"")).steps, 20);
+  EXPECT_EQ(parsed(with(shear_scene, "steps = 10", "time = \"2 us\""), {"run.steps=7"}).steps, 7);
+  EXPECT_EQ(parsed(with(shear_scene, "steps = 10", "steps = 50\ntime = \"2 us\"")).steps, 20);
+}
+
+TEST(ReadScene, OutputTimesBecomeSteps) {
+  const Scene scene = parsed(shear_scene + "\n[output]\ncells_every = \"0.5 us\"\nfluid_every = \"0.01 us\"\n");
+  EXPECT_EQ(scene.output.cells_every, 5);
+  EXPECT_EQ(scene.output.fluid_every, 1);  // at least one step
+  EXPECT_EQ(scene.output.table_every, 0);
+}
+
+TEST(ReadScene, PositionsTurnAboutFixedAxes) {
+  const Scene scene = parsed(with(shear_scene, "count = 1",
+                                  "positions = [{centre = [\"7 um\", \"6 um\", \"5 um\"]}, {centre = [\"1 um\", \"2 "
+                                  "um\", \"3 um\"], rotate = [\"90 deg\", \"0 deg\", \"90 deg\"]}]"));
+  const auto& positions = scene.requests.at(0).positions;
+  ASSERT_EQ(positions.size(), 2u);
+  EXPECT_EQ(positions[0].rotation, identity_rotation);
+  EXPECT_EQ(positions[1].centre, (Vec3{1, 2, 3}));
+  const Vec3 axis = rotate(positions[1].rotation, {0, 0, 1});
+  EXPECT_NEAR(axis[0], 1, 1e-15);
+}
+
+TEST(ReadScene, ResolvedSceneHoldsDefaultsAndReadsBackTheSame) {
+  Scene scene = parsed(shear_scene, {"run.steps=3"});
+  const std::string resolved = resolved_text(scene);
+  EXPECT_NE(resolved.find("gap = \"0.3 um\""), std::string::npos) << resolved;
+  EXPECT_NE(resolved.find("density = \"1025 kg/m3\""), std::string::npos);
+  EXPECT_NE(resolved.find("steps = 3"), std::string::npos);
+  Scene again = parsed(resolved);
+  EXPECT_EQ(resolved_text(again), resolved);
+  EXPECT_EQ(again.setup.kinematic_viscosity, scene.setup.kinematic_viscosity);
+  EXPECT_EQ(again.setup.domain.plate_speed, scene.setup.domain.plate_speed);
+}
+
+TEST(ReadScene, FilesAreFoundFromTheScene) {
+  const ScratchFolder folder("scene");
+  std::ofstream(folder.path() / "scene.toml") << with(shear_scene, "material = \"rbc\"", "material = \"my/soft.toml\"");
+  Scene scene = read_scene((folder.path() / "scene.toml").string());
+  const std::string expected = (folder.path() / "my/soft.toml").string();
+  EXPECT_TRUE(scene.requests.at(0).material_is_file);
+  EXPECT_EQ(scene.requests.at(0).material, expected);
+  EXPECT_NE(resolved_text(scene).find(expected), std::string::npos) << "the record must find its files";
+}
+
+TEST(SceneReference, ListsEveryKeyWithItsDefault) {
+  const std::string page = scene_reference();
+  for (const char* word : {"`schema_version`", "`shear_rate`", "`haematocrit`", "`0.3 um`", "`cell_every`", "[[cells]]",
+                           "[[cells.positions]]", "`into_box`", "`wall_strength`", "`residual_bound`"}) {
+    EXPECT_NE(page.find(word), std::string::npos) << word;
+  }
+}
+
+}  // namespace
+}  // namespace npfem::flow

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MPL-2.0
+// The same bits on any number of ranks: every rank also runs the whole scene alone and compares.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "capsules.h"
+#include "communicator/serial_communicator.h"
+#include "mpi_environment.h"
+#include "simulation/simulation.h"
+
+namespace npfem::flow {
+namespace {
+
+/// Cells across faces, edges and corners of any split, in contact; in the periodic box the body force carries them
+/// through several blocks.
+flow::Setup scene(DomainKind kind, CouplingScheme scheme, int every) {
+  flow::Setup setup = capsules::fluid(kind, {17, 13, 15}, 0.9);
+  setup.domain.plate_speed = 0.24;
+  setup.domain.tube_radius = 6.4;
+  setup.body_force = kind == DomainKind::periodic_box ? Vec3{9e-4, 7e-4, 1e-3} : Vec3{2e-4, 0, 3e-4};
+  setup.start_developed = kind != DomainKind::tube;
+  setup.coupling = {scheme, 4, every};
+  setup.cell_repulsion = {1.5, 2e-3};
+  setup.wall_repulsion = {1.5, 2e-3};
+  setup.types = {capsules::inflated(capsules::capsule("sphere", 2, 2.6, capsules::neo_hookean(0.02)), 1.03),
+                 capsules::capsule("icosphere", 1, 1.8, capsules::skalak(0.02, 2))};
+  capsules::place(setup, 0, {8.4, 9.2, 7.4});
+  capsules::place(setup, 0, {8.6, 3.8, 7.6});
+  capsules::place(setup, 1, {8.1, 6.4, 0.3});
+  capsules::place(setup, 1, {8.5, 6.6, 11.4});
+  if (kind != DomainKind::tube) capsules::place(setup, 0, {0.1, 6.5, 3.9});
+  return setup;
+}
+
+std::set<int> ids_of(const Simulation& simulation) {
+  std::set<int> ids;
+  for (const CellState& cell : simulation.local_cells()) ids.insert(cell.id);
+  return ids;
+}
+
+void expect_same_as_alone(const flow::Setup& setup, int steps, bool expect_migration) {
+  SerialCommunicator self;
+  Simulation alone(setup, self);
+  Simulation shared(setup, world());
+  EXPECT_EQ(shared.state_hash(), alone.state_hash()) << "at the start";
+  const std::set<int> first = ids_of(shared);
+  for (int i = 0; i < steps; ++i) {
+    alone.step();
+    shared.step();
+  }
+  EXPECT_EQ(shared.state_hash(), alone.state_hash());
+  EXPECT_EQ(shared.counters().cell_steps, alone.counters().cell_steps);
+  EXPECT_EQ(shared.counters().iterations, alone.counters().iterations);
+  EXPECT_EQ(shared.counters().worst_residual_pN, alone.counters().worst_residual_pN);
+  EXPECT_EQ(shared.volume_error(), alone.volume_error());
+  EXPECT_EQ(shared.minimum_gap(), alone.minimum_gap());
+  EXPECT_EQ(shared.minimum_wall_gap(), alone.minimum_wall_gap());
+  EXPECT_LT(shared.momentum_error(), 1e-10);
+  EXPECT_TRUE(shared.failures().empty());
+
+  const auto all = alone.local_cells();
+  for (const CellState& cell : shared.local_cells()) {
+    EXPECT_EQ(cell.position, all[static_cast<std::size_t>(cell.id)].position);
+    EXPECT_EQ(cell.force, all[static_cast<std::size_t>(cell.id)].force);
+  }
+  const bool moved = world().any(ids_of(shared) != first);
+  EXPECT_TRUE(moved || !expect_migration || world().size() == 1) << "no cell has changed its owner: the test is weak";
+}
+
+TEST(SameBits, InAShearBox) { expect_same_as_alone(scene(DomainKind::shear_box, CouplingScheme::implicit, 1), 120, false); }
+
+TEST(SameBits, InAPeriodicBox) {
+  expect_same_as_alone(scene(DomainKind::periodic_box, CouplingScheme::implicit, 3), 150, true);
+}
+
+TEST(SameBits, InATube) { expect_same_as_alone(scene(DomainKind::tube, CouplingScheme::implicit, 1), 80, false); }
+
+TEST(SameBits, WithTheExplicitCoupling) {
+  expect_same_as_alone(scene(DomainKind::periodic_box, CouplingScheme::peskin, 2), 150, true);
+}
+
+TEST(Failures, AreKnownToEveryRank) {
+  flow::Setup setup = scene(DomainKind::shear_box, CouplingScheme::implicit, 1);
+  setup.types[1].options = {{"tolerance", 0.0}, {"residual_bound", 0.0}, {"max_iterations", 1}};
+  Simulation simulation(setup, world());
+  for (int i = 0; i < 3; ++i) simulation.step();
+  ASSERT_EQ(simulation.failures().size(), 2u);
+  EXPECT_EQ(simulation.failures()[0].id, 2);
+  EXPECT_EQ(simulation.failures()[1].id, 3);
+  std::int64_t cells = static_cast<std::int64_t>(simulation.local_cells().size());
+  world().sum(std::span(&cells, 1));
+  EXPECT_EQ(cells, 5);
+}
+
+}  // namespace
+}  // namespace npfem::flow

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MPL-2.0
+// Compiles every energy of the library into a kernel, in double and in float: proof that the physics needs no second
+// text for a GPU.
+#include "energies/energy_list.h"
+
+namespace npfem {
+
+template <class E, class R>
+__global__ void element_kernel(const Vec3<R>* x, const typename E::template Rest<R>* rest,
+                               const typename E::template Params<R>* params, Vec3<R>* gradient, R* energy) {
+  const int e = blockIdx.x * blockDim.x + threadIdx.x;
+  Vec3<R> corner[E::num_vertices], slope[E::num_vertices];
+  for (int i = 0; i < E::num_vertices; ++i) corner[i] = x[E::num_vertices * e + i];
+  energy[e] = E::energy_gradient(corner, rest[e], params[e], slope);
+  for (int i = 0; i < E::num_vertices; ++i) gradient[E::num_vertices * e + i] = slope[i];
+}
+
+template <class E, class R>
+__global__ void cell_kernel(const CellSums<R>* sums, const CellRest<R>* rest,
+                            const typename E::template Params<R>* params, CellResponse<R>* response) {
+  const int c = blockIdx.x * blockDim.x + threadIdx.x;
+  response[c] = E::respond(sums[c], rest[c], params[c]);
+}
+
+/// Names each kernel, which makes the compiler produce its device code.
+template <class... Es>
+void element_kernels(TypeList<Es...>, const void** kernels) {
+  ((*kernels++ = reinterpret_cast<const void*>(&element_kernel<Es, double>)), ...);
+  ((*kernels++ = reinterpret_cast<const void*>(&element_kernel<Es, float>)), ...);
+}
+template <class... Es>
+void cell_kernels(TypeList<Es...>, const void** kernels) {
+  ((*kernels++ = reinterpret_cast<const void*>(&cell_kernel<Es, double>)), ...);
+  ((*kernels++ = reinterpret_cast<const void*>(&cell_kernel<Es, float>)), ...);
+}
+
+void all_kernels(const void** kernels) {
+  element_kernels(ElementEnergies{}, kernels);
+  cell_kernels(CellEnergies{}, kernels);
+}
+
+}  // namespace npfem
