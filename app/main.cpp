@@ -114,4 +114,6 @@ int run_program(int argc, char** argv) {
 
 }  // namespace npfem::app
 
-int main(int argc, char** argv) { return npfem::app::run_program(argc, argv); }
+int main(int argc, char** argv) {
+  return npfem::app::run_program(argc, argv);
+}

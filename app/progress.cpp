@@ -11,7 +11,9 @@ namespace npfem::app {
 Progress::Progress(bool shown, const Work& work)
     : shown_(shown), terminal_(isatty(STDERR_FILENO) == 1), work_(work), start_(Clock::now()) {}
 
-double Progress::seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+double Progress::seconds() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
 
 void Progress::step_done(std::int64_t steps_done) {
   if (!shown_) return;

@@ -42,12 +42,16 @@ bool is_bad_input(const api::Failure& failure) {
     case NPFEM_ERROR_INPUT:
     case NPFEM_ERROR_NAME:
     case NPFEM_ERROR_IO:
-    case NPFEM_ERROR_UNAVAILABLE: return true;
-    default: return false;
+    case NPFEM_ERROR_UNAVAILABLE:
+      return true;
+    default:
+      return false;
   }
 }
 
-void on_all_ranks(Session& session, const std::function<void()>& work) { share(session, bad_input_of(work)); }
+void on_all_ranks(Session& session, const std::function<void()>& work) {
+  share(session, bad_input_of(work));
+}
 
 void on_first_rank(Session& session, const std::function<void()>& work) {
   share(session, session.first() ? bad_input_of(work) : "");

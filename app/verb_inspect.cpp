@@ -28,16 +28,15 @@ std::vector<std::string> presets() {
 
 void show(const api::Mesh& mesh) {
   std::cout << "mesh: " << mesh.vertices() << " vertices, " << mesh.triangles() << " triangles\n";
-  for (const char* key : {"area", "volume", "reduced_volume", "extent_x", "extent_y", "extent_z", "edge_min",
-                          "edge_mean", "edge_max"}) {
+  for (const char* key :
+       {"area", "volume", "reduced_volume", "extent_x", "extent_y", "extent_z", "edge_min", "edge_mean", "edge_max"}) {
     std::cout << "  " << key << " = " << mesh.measure(key) << "\n";
   }
 }
 
 void show(const api::Material& material) {
-  std::cout << api::text_of([&](char* b, std::int32_t n) {
-    return api::check(npfem_material_to_text(material.handle(), b, n));
-  });
+  std::cout << api::text_of(
+      [&](char* b, std::int32_t n) { return api::check(npfem_material_to_text(material.handle(), b, n)); });
 }
 
 void show_folder(const fs::path& folder) {

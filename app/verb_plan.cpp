@@ -39,10 +39,14 @@ std::int64_t count_fluid_nodes(const flow::Domain& domain) {
 
 const char* name_of(flow::DomainKind kind) {
   switch (kind) {
-    case flow::DomainKind::tube: return "tube";
-    case flow::DomainKind::shear_box: return "shear_box";
-    case flow::DomainKind::plates: return "plates";
-    case flow::DomainKind::periodic_box: break;
+    case flow::DomainKind::tube:
+      return "tube";
+    case flow::DomainKind::shear_box:
+      return "shear_box";
+    case flow::DomainKind::plates:
+      return "plates";
+    case flow::DomainKind::periodic_box:
+      break;
   }
   return "periodic_box";
 }
@@ -88,37 +92,45 @@ Json describe(const flow::Scene& scene) {
   const auto& n = setup.domain.nodes;
   const double stored_nodes = (n[0] + 4.0) * (n[1] + 4.0) * (n[2] + 4.0);  // with the halo of one rank
   const bool several = std::accumulate(counts.begin(), counts.end(), 0) > 1;
-  return {{"title", scene.title},
-          {"domain", {{"kind", name_of(setup.domain.kind)},
-                      {"size_um", setup.domain.size()},
-                      {"dx_um", setup.domain.dx},
-                      {"nodes", n},
-                      {"fluid_nodes", fluid_nodes},
-                      {"fluid_volume_um3", setup.domain.fluid_volume()}}},
-          {"fluid", {{"density_kg_per_m3", setup.density},
-                     {"kinematic_viscosity_um2_per_us", setup.kinematic_viscosity},
-                     {"time_step_us", setup.time_step},
-                     {"tau", units.relaxation_time(setup.kinematic_viscosity)}}},
-          {"flow", {{"largest_velocity_um_per_us", scene.largest_velocity},
-                    {"largest_shear_rate_per_us", scene.largest_shear_rate},
-                    {"starts_developed", setup.start_developed}}},
-          {"coupling", {{"active", vertices > 0},
-                        {"scheme", setup.coupling.scheme == flow::CouplingScheme::implicit ? "implicit" : "peskin"},
-                        {"kernel_points", setup.coupling.kernel_points},
-                        {"fluid_steps_per_cell_step", setup.coupling.steps_per_solve}}},
-          {"repulsion", {{"between_cells", several && setup.cell_repulsion.range > 0},
-                         {"from_walls", vertices > 0 && setup.domain.kind != flow::DomainKind::periodic_box &&
-                                            setup.wall_repulsion.range > 0}}},
-          {"cells", describe_cells(scene, counts)},
-          {"run", {{"steps", scene.steps}, {"time_us", static_cast<double>(scene.steps) * setup.time_step}}},
-          {"memory_MB", {{"fluid", stored_nodes * bytes_per_node * 1e-6}, {"cells", vertices * bytes_per_vertex * 1e-6}}},
-          {"seconds_per_step_on_one_core",
-           {{"fluid", static_cast<double>(fluid_nodes) / nodes_per_second},
-            {"cells", vertices / vertex_steps_per_second / setup.coupling.steps_per_solve}}},
-          {"limits", limits_as_json(limits_of(scene))}};
+  return {
+      {"title", scene.title},
+      {"domain",
+       {{"kind", name_of(setup.domain.kind)},
+        {"size_um", setup.domain.size()},
+        {"dx_um", setup.domain.dx},
+        {"nodes", n},
+        {"fluid_nodes", fluid_nodes},
+        {"fluid_volume_um3", setup.domain.fluid_volume()}}},
+      {"fluid",
+       {{"density_kg_per_m3", setup.density},
+        {"kinematic_viscosity_um2_per_us", setup.kinematic_viscosity},
+        {"time_step_us", setup.time_step},
+        {"tau", units.relaxation_time(setup.kinematic_viscosity)}}},
+      {"flow",
+       {{"largest_velocity_um_per_us", scene.largest_velocity},
+        {"largest_shear_rate_per_us", scene.largest_shear_rate},
+        {"starts_developed", setup.start_developed}}},
+      {"coupling",
+       {{"active", vertices > 0},
+        {"scheme", setup.coupling.scheme == flow::CouplingScheme::implicit ? "implicit" : "peskin"},
+        {"kernel_points", setup.coupling.kernel_points},
+        {"fluid_steps_per_cell_step", setup.coupling.steps_per_solve}}},
+      {"repulsion",
+       {{"between_cells", several && setup.cell_repulsion.range > 0},
+        {"from_walls",
+         vertices > 0 && setup.domain.kind != flow::DomainKind::periodic_box && setup.wall_repulsion.range > 0}}},
+      {"cells", describe_cells(scene, counts)},
+      {"run", {{"steps", scene.steps}, {"time_us", static_cast<double>(scene.steps) * setup.time_step}}},
+      {"memory_MB", {{"fluid", stored_nodes * bytes_per_node * 1e-6}, {"cells", vertices * bytes_per_vertex * 1e-6}}},
+      {"seconds_per_step_on_one_core",
+       {{"fluid", static_cast<double>(fluid_nodes) / nodes_per_second},
+        {"cells", vertices / vertex_steps_per_second / setup.coupling.steps_per_solve}}},
+      {"limits", limits_as_json(limits_of(scene))}};
 }
 
-double number(const Json& json, const char* group, const char* key) { return json.at(group).at(key).get<double>(); }
+double number(const Json& json, const char* group, const char* key) {
+  return json.at(group).at(key).get<double>();
+}
 
 void print_cells(const Json& plan) {
   for (const Json& type : plan.at("cells")) {
@@ -157,8 +169,8 @@ void print(const Json& plan, const flow::Scene& scene) {
               1e6 * scene.largest_shear_rate);
   print_cells(plan);
   print_active(plan);
-  const double seconds = number(plan, "seconds_per_step_on_one_core", "fluid") +
-                         number(plan, "seconds_per_step_on_one_core", "cells");
+  const double seconds =
+      number(plan, "seconds_per_step_on_one_core", "fluid") + number(plan, "seconds_per_step_on_one_core", "cells");
   std::printf("run       %lld steps, %.4g us\n", static_cast<long long>(scene.steps), number(plan, "run", "time_us"));
   std::printf("memory    about %.0f MB fluid, %.1f MB cells\n", number(plan, "memory_MB", "fluid"),
               number(plan, "memory_MB", "cells"));

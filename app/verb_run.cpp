@@ -18,6 +18,8 @@
 namespace npfem::app {
 namespace {
 
+constexpr std::int64_t fluid_check_every = 20;  // steps
+
 struct RunOptions {
   SceneOptions scene;
   std::string folder;
@@ -45,17 +47,19 @@ void prepare_folder(Session& session, const RunOptions& options, flow::Scene& sc
 Progress::Work work_of(Session& session, const flow::Scene& scene, const flow::Simulation& simulation) {
   double nodes = static_cast<double>(simulation.lattice().nodes().fluid_nodes());
   session.communicator.sum(std::span(&nodes, 1));
-  return {scene.steps, nodes,
-          static_cast<double>(simulation.cell_count()) / scene.setup.coupling.steps_per_solve};
+  return {scene.steps, nodes, static_cast<double>(simulation.cell_count()) / scene.setup.coupling.steps_per_solve};
 }
 
-/// Steps until the end, a failed cell or an interrupt; returns the seconds it took.
+/// Steps until the end, a failure or an interrupt; returns the seconds it took.
 double advance(Session& session, const RunOptions& options, const flow::Scene& scene, flow::Simulation& simulation,
                flow::RunOutput& output) {
   Progress progress(session.first() && !options.quiet, work_of(session, scene, simulation));
   output.write_all(simulation);
-  while (simulation.steps_done() < scene.steps && simulation.failures().empty() &&
-         !session.communicator.any(interrupt_requested())) {
+  const auto must_end = [&] {
+    return !simulation.failures().empty() || session.communicator.any(interrupt_requested()) ||
+           (simulation.steps_done() % fluid_check_every == 0 && fluid_failed(simulation, session.communicator));
+  };
+  while (simulation.steps_done() < scene.steps && !must_end()) {
     simulation.step();
     output.write_due(simulation);
     progress.step_done(simulation.steps_done());
@@ -88,6 +92,10 @@ void write_summary(Session& session, const std::string& path, const std::string&
 }
 
 void name_failures(const flow::Summary& s) {
+  if (s.fluid_failed) {
+    std::cerr << "npfem: the fluid is not finite any more after step " << s.steps
+              << "; npfem plan says which bound the scene exceeds\n";
+  }
   for (const flow::CellFailure& failure : s.failures) {
     std::cerr << "npfem: cell " << failure.id << " (" << s.cell_types[static_cast<std::size_t>(failure.type)]
               << ") failed in step " << failure.step << ": " << failure.reason << "\n";
@@ -104,7 +112,8 @@ int run(Session& session, const RunOptions& options) {
   catch_interrupts();
   const double seconds = advance(session, options, scene, *simulation, output);
   flow::Summary summary = flow::summarise(scene, *simulation, session.communicator, seconds);
-  summary.interrupted = summary.steps < scene.steps && summary.failures.empty();
+  const bool failure = summary.fluid_failed || !summary.failures.empty();
+  summary.interrupted = summary.steps < scene.steps && !failure;
   const std::string json = to_json(summary);
   write_summary(session, options.folder + "/summary.json", json);
   if (session.first()) {
@@ -113,7 +122,7 @@ int run(Session& session, const RunOptions& options) {
     if (options.json) std::cout << json;
     if (!options.json && !options.quiet) print(summary, options.folder);
   }
-  if (!summary.failures.empty()) return unstable;
+  if (failure) return unstable;
   return summary.interrupted ? failed : done;
 }
 

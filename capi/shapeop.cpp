@@ -14,7 +14,7 @@ constexpr int no_id = -1;  // add functions
 
 /// A handle in the shape of a pointer; only its low 32 bits count, for callers that took it for an int.
 ShapeOpSolver* as_pointer(std::int32_t handle) {
-  return reinterpret_cast<ShapeOpSolver*>(static_cast<std::intptr_t>(handle));
+  return reinterpret_cast<ShapeOpSolver*>(static_cast<std::intptr_t>(handle));  // NOLINT(performance-no-int-to-ptr)
 }
 std::int32_t as_handle(const ShapeOpSolver* solver) {
   return static_cast<std::int32_t>(reinterpret_cast<std::intptr_t>(solver));

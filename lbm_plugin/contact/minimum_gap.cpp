@@ -80,7 +80,9 @@ double nearest(const CellSurface& cell, const Vec3& shift, std::span<const Bound
   return best;
 }
 
-void append(Bytes& bytes, std::span<const std::byte> raw) { bytes.insert(bytes.end(), raw.begin(), raw.end()); }
+void append(Bytes& bytes, std::span<const std::byte> raw) {
+  bytes.insert(bytes.end(), raw.begin(), raw.end());
+}
 
 std::vector<CellSurface> all_cells(std::span<const CellType> types, Communicator& communicator,
                                    std::span<const CellSurface> own) {
@@ -129,7 +131,7 @@ std::vector<Vec3> images(const Domain& domain, const Bounds& a, const Bounds& b)
 struct Candidate {
   double least;  // um: the gap cannot be smaller
   std::size_t a, b;
-  Vec3 shift;    // of b
+  Vec3 shift;  // of b
 };
 
 /// Pairs of one own cell and one other, the most promising first.

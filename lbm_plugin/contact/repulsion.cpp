@@ -13,7 +13,9 @@
 namespace npfem::flow {
 namespace {
 
-Vec3 vector_at(std::span<const double> xyz, std::size_t i) { return {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]}; }
+Vec3 vector_at(std::span<const double> xyz, std::size_t i) {
+  return {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]};
+}
 
 void require_sound(const RepulsionSettings& settings, double farthest, const char* between) {
   if (!(settings.range >= 0 && settings.strength >= 0 && std::isfinite(settings.strength))) {

@@ -10,8 +10,8 @@
 
 namespace npfem::flow {
 
-/// Force (pN) of a smooth repulsion at distance d: strength (1 - d/range)^2 below `range`, 0 beyond; continuous with its
-/// slope, and growing on where a wall has been crossed (d < 0).
+/// Force (pN) of a smooth repulsion at distance d: strength (1 - d/range)^2 below `range`, 0 beyond; continuous with
+/// its slope, and growing on where a wall has been crossed (d < 0).
 double repulsion_force(const RepulsionSettings& settings, double distance);
 
 /// Force (pN) on a vertex of one cell from a vertex of another, along the line that joins them. Swapping the two gives

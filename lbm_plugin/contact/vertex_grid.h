@@ -46,7 +46,7 @@ class VertexGrid {
     double period;  // of the whole direction; 0 where it is not periodic
     double edge;    // of a cube
     int cubes;
-    bool wraps;     // the first cube follows the last
+    bool wraps;  // the first cube follows the last
   };
   struct Neighbours {
     std::array<int, 3> cube;
@@ -60,9 +60,9 @@ class VertexGrid {
   }
 
   std::array<Axis, 3> axes_;
-  std::vector<Cube> cube_of_;        // by vertex
-  std::vector<std::size_t> begin_;   // by cube, into sorted_
-  std::vector<int> sorted_;          // vertices by cube
+  std::vector<Cube> cube_of_;       // by vertex
+  std::vector<std::size_t> begin_;  // by cube, into sorted_
+  std::vector<int> sorted_;         // vertices by cube
 };
 
 }  // namespace npfem::flow

@@ -9,9 +9,12 @@ namespace npfem::flow {
 
 double kernel_layer(int kernel_points) {
   switch (kernel_points) {
-    case 2: return 1.28;
-    case 3: return 2.0;
-    default: return 8.0 / 3.0;
+    case 2:
+      return 1.28;
+    case 3:
+      return 2.0;
+    default:
+      return 8.0 / 3.0;
   }
 }
 

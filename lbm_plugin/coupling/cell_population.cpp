@@ -52,8 +52,11 @@ CellPopulation::CellPopulation(const Setup& setup, Communicator& communicator, c
 void CellPopulation::create_batches(double delta) {
   for (const CellType& type : setup_.types) {
     require_shape(type);
-    Kind created{api::Batch(*type.model, "reference", 0), static_cast<std::size_t>(type.model->vertices()), {},
-                 type.model->get("solid_mass"), {}};
+    Kind created{api::Batch(*type.model, "reference", 0),
+                 static_cast<std::size_t>(type.model->vertices()),
+                 {},
+                 type.model->get("solid_mass"),
+                 {}};
     created.batch.set("time_step", delta);
     for (const auto& [key, value] : type.options) created.batch.set(key, value);
     for (const double mass : created.solid_mass) has_solid_mass_ = has_solid_mass_ || mass > 0;

@@ -29,19 +29,20 @@ struct CellStepReport {
 };
 
 /// The cells one rank owns: those whose centroid (mean of the vertices) lies in its block. One batch of the cell solver
-/// per type; to the rest of the coupling the vertices are flat arrays in order of (global cell id, vertex), whatever the
-/// order in the batches.
+/// per type; to the rest of the coupling the vertices are flat arrays in order of (global cell id, vertex), whatever
+/// the order in the batches.
 class CellPopulation {
  public:
   struct Cell {
-    int id;    ///< global
-    int type;  ///< index into Setup::types
-    int slot;  ///< index in the batch of its type
+    int id;                    ///< global
+    int type;                  ///< index into Setup::types
+    int slot;                  ///< index in the batch of its type
     std::size_t first_vertex;  ///< in the flat arrays
   };
 
-  /// Places the cells of the setup, undeformed, at rest; each rank takes its own. `delta`: time step of the cell solver,
-  /// us. `setup` must outlive the population. std::invalid_argument where a cell names a type that is not there or its shape does not fit its model.
+  /// Places the cells of the setup, undeformed, at rest; each rank takes its own. `delta`: time step of the cell
+  /// solver, us. `setup` must outlive the population. std::invalid_argument where a cell names a type that is not there
+  /// or its shape does not fit its model.
   CellPopulation(const Setup& setup, Communicator& communicator, const Decomposition& decomposition, double delta);
 
   /// Hands every cell that has left this rank's block to the rank it has entered. Collective. Without effect on the

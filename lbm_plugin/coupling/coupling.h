@@ -44,7 +44,7 @@ class Coupling {
   void apply_forces(const Vec3& inertia);
 
   CoupledParts parts_;
-  double delta_;  // us
+  double delta_;                                               // us
   std::vector<double> position_, velocity_, contact_, force_;  // own vertices
 };
 

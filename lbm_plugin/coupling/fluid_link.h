@@ -55,13 +55,13 @@ class FluidLink {
   Repulsion repulsion_;
   bool has_walls_;
 
-  std::vector<double> positions_;       // own vertices, um
-  std::vector<double> held_velocity_;   // held vertices, um/us
-  std::vector<double> held_contact_;    // held vertices, pN
+  std::vector<double> positions_;      // own vertices, um
+  std::vector<double> held_velocity_;  // held vertices, um/us
+  std::vector<double> held_contact_;   // held vertices, pN
   std::vector<double> held_both_, own_both_;
-  std::vector<double> known_force_;     // known vertices, lattice units
+  std::vector<double> known_force_;  // known vertices, lattice units
   std::size_t own_vertices_ = 0;
-  Vec3 force_on_walls_{};               // lattice units
+  Vec3 force_on_walls_{};  // lattice units
   double seconds_ = 0;
 };
 

@@ -10,9 +10,9 @@ ImplicitCoupling::ImplicitCoupling(const CoupledParts& parts) : Coupling(parts) 
   const Setup& setup = parts.setup;
   for (std::size_t type = 0; type < setup.types.size(); ++type) {
     const std::vector<double> areas = setup.types[type].model->get("rest_area");
-    parts_.cells.set_ambient_mass(static_cast<int>(type),
-                                  ambient_masses(areas, setup.coupling.kernel_points, parts.units,
-                                                 setup.kinematic_viscosity, delta_));
+    parts_.cells.set_ambient_mass(
+        static_cast<int>(type),
+        ambient_masses(areas, setup.coupling.kernel_points, parts.units, setup.kinematic_viscosity, delta_));
   }
 }
 

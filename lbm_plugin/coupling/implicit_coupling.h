@@ -8,8 +8,8 @@ namespace npfem::flow {
 /// The default: the cell solver's implicit step feels the fluid through the mass m_f of it that moves with each vertex.
 /// With u the fluid velocity at x_n, half of the held force included, and f_old the force held so far, a cell minimises
 ///   m_f |x - (x_n + delta u - delta^2 f_old / m_f)|^2 / (2 delta^2) + E(x)   (+ its own mass and loads)
-/// and F = f_old + m_f (v - u) / delta is spread at x_n and held for delta. With no mass and loads of its own, F = -dE/dx
-/// at the solution.
+/// and F = f_old + m_f (v - u) / delta is spread at x_n and held for delta. With no mass and loads of its own, F =
+/// -dE/dx at the solution.
 ///
 /// This is Peskin's method for tracers X, joined to the vertices x by springs of stiffness m_f / delta^2 with the cell
 /// relaxed in every step: the fluid never feels a stiffness above m_f / delta^2, so the scheme is stable however stiff

@@ -28,10 +28,11 @@ void add_fluid_limits(std::vector<Limit>& limits, const Units& units, double tau
                           {"steady flow is exact between walls; for flow that changes in time, see gdot T", "",
                            "larger than any that has been tried; reduce time_step"}));
   const double sound = units.velocity() / std::sqrt(3.0);
-  limits.push_back(judged("Ma", "fastest imposed flow over the lattice's speed of sound; the lattice fluid is compressible",
-                          speed / sound, 0.1, 0.3,
-                          {"the fluid is as good as incompressible", "density varies by a few percent; a smaller time step helps",
-                           "the flow is too fast for this time step; reduce time_step"}));
+  limits.push_back(
+      judged("Ma", "fastest imposed flow over the lattice's speed of sound; the lattice fluid is compressible",
+             speed / sound, 0.1, 0.3,
+             {"the fluid is as good as incompressible", "density varies by a few percent; a smaller time step helps",
+              "the flow is too fast for this time step; reduce time_step"}));
   limits.push_back(judged("gdot_T", "shear rate times T = (tau - 1/2) dt, the memory of the lattice fluid",
                           shear_rate * (tau - 0.5) * units.dt, 0.02, 0.02,
                           {"the fluid follows at once", "", "the fluid lags behind; reduce time_step"}));
@@ -48,19 +49,21 @@ void add_cell_limits(std::vector<Limit>& limits, const Setup& setup, const Units
     const Advice advice{"the fluid feels the membrane as stiff as it is",
                         "volume and deformation are off by about this much; for less, reduce time_step or cell_every",
                         "the fluid feels too soft a membrane; reduce time_step or cell_every"};
-    limits.push_back(judged("kappa_shear " + type.name, "compliance of the coupling against shear: delta^2 G/(rho ell a^2)",
-                            per_modulus * shear, 0.002, 0.005, advice));
-    limits.push_back(judged("kappa_largest " + type.name,
-                            "the same with the largest modulus, which keeps area and volume", per_modulus * largest,
-                            0.002, 0.005,
-                            {advice.good, advice.fair,
-                             "vertices keep the stiff constraint exactly, but the fluid resists it less than it should; "
-                             "reduce time_step or cell_every if the cell is driven against it"}));
+    limits.push_back(judged("kappa_shear " + type.name,
+                            "compliance of the coupling against shear: delta^2 G/(rho ell a^2)", per_modulus * shear,
+                            0.002, 0.005, advice));
+    limits.push_back(
+        judged("kappa_largest " + type.name, "the same with the largest modulus, which keeps area and volume",
+               per_modulus * largest, 0.002, 0.005,
+               {advice.good, advice.fair,
+                "vertices keep the stiff constraint exactly, but the fluid resists it less than it should; "
+                "reduce time_step or cell_every if the cell is driven against it"}));
   }
-  limits.push_back(judged("compression " + type.name, "3 G_s/a in lattice units: how much a cell's own tension compresses the fluid in it",
-                          3.0 * shear / (units.pressure() * radius), 0.008, 0.02,
-                          {"the cell keeps its volume", "the cell shrinks by about this much; for less, reduce time_step",
-                           "the cell shrinks too much; reduce time_step"}));
+  limits.push_back(judged(
+      "compression " + type.name, "3 G_s/a in lattice units: how much a cell's own tension compresses the fluid in it",
+      3.0 * shear / (units.pressure() * radius), 0.008, 0.02,
+      {"the cell keeps its volume", "the cell shrinks by about this much; for less, reduce time_step",
+       "the cell shrinks too much; reduce time_step"}));
 }
 
 }  // namespace
@@ -75,9 +78,12 @@ std::vector<Limit> accuracy_limits(const Setup& setup, double speed, double shea
 
 std::string verdict_name(Verdict verdict) {
   switch (verdict) {
-    case Verdict::good: return "good";
-    case Verdict::fair: return "fair";
-    default: return "exceeded";
+    case Verdict::good:
+      return "good";
+    case Verdict::fair:
+      return "fair";
+    default:
+      return "exceeded";
   }
 }
 

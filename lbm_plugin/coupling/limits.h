@@ -22,7 +22,7 @@ struct Limit {
   double strict_bound;  ///< good up to here
   double bound;         ///< fair up to here
   Verdict verdict;
-  std::string advice;   ///< a sentence on what this value means here and, where it is too large, what to change
+  std::string advice;  ///< a sentence on what this value means here and, where it is too large, what to change
 };
 
 /// The limits of time step and resolution, all without dimension:

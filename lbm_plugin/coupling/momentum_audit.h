@@ -9,7 +9,8 @@
 
 namespace npfem::flow {
 
-/// Does the momentum of fluid and cells change by nothing but the impulses that act on them from outside? Lattice units.
+/// Does the momentum of fluid and cells change by nothing but the impulses that act on them from outside? Lattice
+/// units.
 ///
 /// In one fluid step (see lattice.h) the fluid, counted with half of the held force, P = j + F/2, gains
 ///   P(t+1) - P(t) = W + F + (F - F_before)/2,
@@ -42,8 +43,8 @@ class MomentumAudit {
   CompensatedSum cell_scale_;   // sum of |vertex force|
   CompensatedSum fluid_scale_;  // sum of |body force| and |impulse of walls|
   Vec3 start_momentum_{};
-  Vec3 start_force_{};          // F at the start
-  Vec3 force_{};                // F now
+  Vec3 start_force_{};  // F at the start
+  Vec3 force_{};        // F now
   double body_magnitude_ = 0;
   double cell_magnitude_ = 0;
 };

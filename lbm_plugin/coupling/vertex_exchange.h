@@ -22,8 +22,8 @@ struct KnownVertices {
   std::vector<VertexId> id;
   std::vector<double> position;  ///< xyz, um, unwrapped
   std::vector<double> in_nodes;  ///< the same in node spacings
-  /// The vertices whose node (node_in_grid) this rank holds, as ascending indices into the arrays above. Each vertex of the
-  /// system is held by exactly one rank, which interpolates there and finds its contact forces.
+  /// The vertices whose node (node_in_grid) this rank holds, as ascending indices into the arrays above. Each vertex of
+  /// the system is held by exactly one rank, which interpolates there and finds its contact forces.
   std::vector<int> held;
 };
 

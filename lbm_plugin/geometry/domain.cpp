@@ -15,7 +15,9 @@ constexpr std::uint8_t wall_at_rest = 1;
 constexpr std::uint8_t lower_plate = 2;
 constexpr std::uint8_t upper_plate = 3;
 
-bool between_plates(DomainKind kind) { return kind == DomainKind::shear_box || kind == DomainKind::plates; }
+bool between_plates(DomainKind kind) {
+  return kind == DomainKind::shear_box || kind == DomainKind::plates;
+}
 
 WallDistance distance_to_plates(double y, double height) {
   return y < 0.5 * height ? WallDistance{y, {0, 1, 0}} : WallDistance{height - y, {0, -1, 0}};
@@ -32,10 +34,13 @@ WallDistance distance_to_tube(const Vec3& from_axis, double radius) {
 
 std::array<bool, 3> Domain::periodic() const {
   switch (kind) {
-    case DomainKind::periodic_box: return {true, true, true};
+    case DomainKind::periodic_box:
+      return {true, true, true};
     case DomainKind::shear_box:
-    case DomainKind::plates: return {true, false, true};
-    case DomainKind::tube: return {false, false, true};
+    case DomainKind::plates:
+      return {true, false, true};
+    case DomainKind::tube:
+      return {false, false, true};
   }
   return {};
 }

@@ -11,8 +11,8 @@ using Vec3 = std::array<double, 3>;
 
 /// The space the blood flows in: a box of lattice nodes, some of its directions periodic, bounded by walls.
 ///
-/// Node (i, j, k) stands at ((i + 1/2) dx, (j + 1/2) dx, (k + 1/2) dx), so the box [0, size] is filled by whole cells of
-/// the lattice and half-way bounce-back puts a flat wall exactly on the face of the box.
+/// Node (i, j, k) stands at ((i + 1/2) dx, (j + 1/2) dx, (k + 1/2) dx), so the box [0, size] is filled by whole cells
+/// of the lattice and half-way bounce-back puts a flat wall exactly on the face of the box.
 enum class DomainKind {
   periodic_box,  ///< no walls
   shear_box,     ///< x and z periodic; plates at y = 0 and y = size_y move along x with -/+ half the relative speed
@@ -28,10 +28,10 @@ struct WallDistance {
 
 struct Domain {
   DomainKind kind = DomainKind::periodic_box;
-  std::array<int, 3> nodes{};     ///< lattice nodes along x, y, z
-  double dx = 0;                  ///< um
-  double tube_radius = 0;         ///< um, tube only
-  double plate_speed = 0;         ///< um/us: speed of the upper plate relative to the lower one, shear box only
+  std::array<int, 3> nodes{};  ///< lattice nodes along x, y, z
+  double dx = 0;               ///< um
+  double tube_radius = 0;      ///< um, tube only
+  double plate_speed = 0;      ///< um/us: speed of the upper plate relative to the lower one, shear box only
 
   Vec3 size() const { return {nodes[0] * dx, nodes[1] * dx, nodes[2] * dx}; }
   std::array<bool, 3> periodic() const;

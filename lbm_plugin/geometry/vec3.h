@@ -13,14 +13,24 @@ using Rotation = std::array<double, 9>;  ///< row-major
 
 inline constexpr Rotation identity_rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-constexpr Vec3 add(const Vec3& a, const Vec3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-constexpr Vec3 subtract(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-constexpr Vec3 scale(double s, const Vec3& a) { return {s * a[0], s * a[1], s * a[2]}; }
-constexpr double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+constexpr Vec3 add(const Vec3& a, const Vec3& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+constexpr Vec3 subtract(const Vec3& a, const Vec3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+constexpr Vec3 scale(double s, const Vec3& a) {
+  return {s * a[0], s * a[1], s * a[2]};
+}
+constexpr double dot(const Vec3& a, const Vec3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-inline double norm(const Vec3& a) { return std::sqrt(dot(a, a)); }
+inline double norm(const Vec3& a) {
+  return std::sqrt(dot(a, a));
+}
 
 /// R a
 constexpr Vec3 rotate(const Rotation& r, const Vec3& a) {

@@ -12,15 +12,20 @@ namespace {
 
 constexpr int kNotHere = -1;
 
-Vec3 vector_at(std::span<const double> xyz, std::size_t i) { return {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]}; }
+Vec3 vector_at(std::span<const double> xyz, std::size_t i) {
+  return {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]};
+}
 
 /// Calls `kernel` with the number of points as a compile-time constant: one decision per phase, none per vertex.
 template <class Function>
 void with_kernel(int points, Function&& function) {
   switch (points) {
-    case 2: return function(std::integral_constant<int, 2>{});
-    case 3: return function(std::integral_constant<int, 3>{});
-    default: return function(std::integral_constant<int, 4>{});
+    case 2:
+      return function(std::integral_constant<int, 2>{});
+    case 3:
+      return function(std::integral_constant<int, 3>{});
+    default:
+      return function(std::integral_constant<int, 4>{});
   }
 }
 
@@ -36,8 +41,7 @@ ImmersedBoundary::ImmersedBoundary(int kernel_points, const Decomposition& decom
 
 /// Local indices, halo included. Beyond a wall there is nothing but wall: the outermost layer stands for it.
 template <int Points>
-auto ImmersedBoundary::nodes_to_read(const Vec3& position, const Stencil<Points>& stencil) const
-    -> LocalNodes<Points> {
+auto ImmersedBoundary::nodes_to_read(const Vec3& position, const Stencil<Points>& stencil) const -> LocalNodes<Points> {
   const Index3 node = node_at(position);
   LocalNodes<Points> nodes;
   for (int axis = 0; axis < 3; ++axis) {
@@ -123,8 +127,8 @@ double ImmersedBoundary::weight_on_walls(const Lattice& lattice, const Vec3& pos
   return weight;
 }
 
-void ImmersedBoundary::interpolate(const Lattice& lattice, std::span<const double> positions,
-                                   std::span<const int> held, std::span<double> velocities) const {
+void ImmersedBoundary::interpolate(const Lattice& lattice, std::span<const double> positions, std::span<const int> held,
+                                   std::span<double> velocities) const {
   with_kernel(kernel_points_, [&](auto points) {
     for (std::size_t i = 0; i < held.size(); ++i) {
       const Vec3 velocity = velocity_at<points>(lattice, vector_at(positions, static_cast<std::size_t>(held[i])));

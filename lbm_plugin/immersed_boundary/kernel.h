@@ -21,7 +21,8 @@ struct Kernel<2> {
   static std::array<double, 2> weights(double offset) { return {1.0 - offset, offset}; }
 };
 
-/// Roma, Peskin & Berger, J. Comput. Phys. 153 (1999) 509: the squares of the weights sum to 1/2 wherever the vertex is.
+/// Roma, Peskin & Berger, J. Comput. Phys. 153 (1999) 509: the squares of the weights sum to 1/2 wherever the vertex
+/// is.
 ///   phi(r) = (1 + sqrt(1 - 3 r^2)) / 3,                       |r| <= 1/2
 ///          = (5 - 3|r| - sqrt(1 - 3 (1 - |r|)^2)) / 6,  1/2 <= |r| <= 3/2
 template <>

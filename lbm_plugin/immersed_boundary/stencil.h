@@ -2,8 +2,8 @@
 #pragma once
 
 // Where a vertex stands among the nodes. Positions are in node spacings: node i stands at i + 1/2. Indices are
-// unwrapped; only integers are ever carried around a periodic direction, so that the weights have the same bits on every
-// rank.
+// unwrapped; only integers are ever carried around a periodic direction, so that the weights have the same bits on
+// every rank.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,9 @@
 namespace npfem::flow {
 
 /// A floored position as an index, for positions that are finite; out of the range of int it stays at the end of it.
-inline int index_of(double floored) { return static_cast<int>(std::clamp(floored, -1e9, 1e9)); }
+inline int index_of(double floored) {
+  return static_cast<int>(std::clamp(floored, -1e9, 1e9));
+}
 
 /// The node whose unit cube holds the position, unwrapped.
 inline Index3 node_at(const Vec3& position) {

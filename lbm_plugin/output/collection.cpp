@@ -12,8 +12,8 @@ void Collection::add(double time_us, const std::string& file) {
       "<?xml version=\"1.0\"?>\n<!-- timestep: us -->\n"
       "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n<Collection>\n";
   for (const Entry& entry : entries_) {
-    xml += "<DataSet timestep=\"" + text::format_number(entry.time_us) + "\" part=\"0\" file=\"" + entry.file +
-           "\"/>\n";
+    xml +=
+        "<DataSet timestep=\"" + text::format_number(entry.time_us) + "\" part=\"0\" file=\"" + entry.file + "\"/>\n";
   }
   text::write_file(path_.string(), xml + "</Collection>\n</VTKFile>\n");
 }

@@ -19,7 +19,8 @@ std::string numbered(const char* name, std::int64_t step, const char* ending) {
   return text;
 }
 
-bool written_by_a_run(const std::string& file) {
+bool written_by_a_run(std::string file) {
+  if (file.ends_with(".part")) file.resize(file.size() - 5);  // of a run that was killed
   for (const char* whole : {"cells.pvd", "fluid.pvd", "cells.csv", "summary.json", "scene.toml"}) {
     if (file == whole) return true;
   }

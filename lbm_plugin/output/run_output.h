@@ -16,8 +16,8 @@ namespace npfem::flow {
 /// then the files that an earlier run wrote are removed, and nothing else. text::FileError where it cannot be used.
 void prepare_output_folder(const std::filesystem::path& folder, bool overwrite);
 
-/// The files of a run: cells_*.vtu with cells.pvd, fluid_*.vti with fluid.pvd, cells.csv. Calls are collective and throw
-/// std::runtime_error on every rank where a file cannot be written.
+/// The files of a run: cells_*.vtu with cells.pvd, fluid_*.vti with fluid.pvd, cells.csv. Calls are collective and
+/// throw std::runtime_error on every rank where a file cannot be written.
 class RunOutput {
  public:
   RunOutput(Communicator& communicator, std::filesystem::path folder, const Scene& scene);

@@ -2,6 +2,7 @@
 #include "output/summary.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <numeric>
 
@@ -11,6 +12,10 @@
 #include "scene/make_cells.h"
 
 namespace npfem::flow {
+
+bool fluid_failed(const Simulation& simulation, Communicator& communicator) {
+  return communicator.any(!std::isfinite(simulation.lattice().mass_deviation()));
+}
 
 Summary summarise(const Scene& scene, const Simulation& simulation, Communicator& communicator, double wall_s) {
   Summary s;
@@ -43,6 +48,7 @@ Summary summarise(const Scene& scene, const Simulation& simulation, Communicator
         static_cast<double>(s.counters.iterations) / static_cast<double>(s.counters.cell_steps);
   }
   s.failures = simulation.failures();
+  s.fluid_failed = fluid_failed(simulation, communicator);
   s.state_hash = simulation.state_hash();
   return s;
 }
@@ -61,6 +67,7 @@ std::string to_json(const Summary& s) {
       {"title", s.title},
       {"version", s.version},
       {"interrupted", s.interrupted},
+      {"fluid_failed", s.fluid_failed},
       {"steps", s.steps},
       {"time_us", s.time_us},
       {"wall_s", s.wall_s},

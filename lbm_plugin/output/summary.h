@@ -17,15 +17,15 @@ struct Summary {
   std::string version;
   std::int64_t steps = 0;
   double time_us = 0;
-  double wall_s = 0;              ///< of the time loop, output included
-  double mlups = 0;               ///< million updates of fluid nodes per second of wall time
+  double wall_s = 0;  ///< of the time loop, output included
+  double mlups = 0;   ///< million updates of fluid nodes per second of wall time
   double cell_steps_per_s = 0;
   int ranks = 1;
   std::int64_t fluid_nodes = 0;
   int cells = 0;
   std::vector<std::string> cell_types;
   std::vector<int> cells_by_type;
-  double haematocrit = 0;         ///< volume of all cells over the volume open to the fluid
+  double haematocrit = 0;  ///< volume of all cells over the volume open to the fluid
   std::vector<double> haematocrit_by_type;
   double momentum_error = 0;
   double volume_error = 0;
@@ -36,7 +36,11 @@ struct Summary {
   std::vector<CellFailure> failures;
   std::uint64_t state_hash = 0;
   bool interrupted = false;
+  bool fluid_failed = false;  ///< the fluid is no longer finite
 };
+
+/// True when the fluid of some rank holds a number that is not finite. Collective.
+bool fluid_failed(const Simulation& simulation, Communicator& communicator);
 
 /// Collective.
 Summary summarise(const Scene& scene, const Simulation& simulation, Communicator& communicator, double wall_s);

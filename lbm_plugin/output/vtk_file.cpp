@@ -18,10 +18,14 @@ struct TypeInfo {
 
 TypeInfo info(VtkFile::Type type) {
   switch (type) {
-    case VtkFile::Type::float32: return {"Float32", 4};
-    case VtkFile::Type::float64: return {"Float64", 8};
-    case VtkFile::Type::int32: return {"Int32", 4};
-    case VtkFile::Type::uint8: return {"UInt8", 1};
+    case VtkFile::Type::float32:
+      return {"Float32", 4};
+    case VtkFile::Type::float64:
+      return {"Float64", 8};
+    case VtkFile::Type::int32:
+      return {"Int32", 4};
+    case VtkFile::Type::uint8:
+      return {"UInt8", 1};
   }
   return {"", 0};
 }
@@ -36,8 +40,10 @@ std::size_t VtkFile::declare(const std::string& name, Type type, int components,
 
 std::string VtkFile::element(std::size_t array) const {
   const Array& a = arrays_[array];
-  return std::string("<DataArray type=\"") + info(a.type).name + "\" Name=\"" + a.name + "\" NumberOfComponents=\"" +
-         std::to_string(a.components) + "\" format=\"appended\" offset=\"" + std::to_string(a.offset) + "\"/>\n";
+  const std::string components =
+      a.components == 1 ? "" : " NumberOfComponents=\"" + std::to_string(a.components) + "\"";
+  return std::string("<DataArray type=\"") + info(a.type).name + "\" Name=\"" + a.name + "\"" + components +
+         " format=\"appended\" offset=\"" + std::to_string(a.offset) + "\"/>\n";
 }
 
 void VtkFile::put_bytes(std::int64_t offset, std::span<const std::byte> bytes) {

@@ -48,7 +48,9 @@ std::vector<double> shifted(const std::vector<double>& xyz, const Vec3& shift) {
   return moved;
 }
 
-std::vector<float> to_float(const std::vector<double>& values) { return {values.begin(), values.end()}; }
+std::vector<float> to_float(const std::vector<double>& values) {
+  return {values.begin(), values.end()};
+}
 
 template <class T>
 std::span<const T> view(const std::vector<T>& values) {
@@ -96,13 +98,12 @@ void write_cells(Communicator& communicator, const std::filesystem::path& path, 
     file.put(cell_type, triangle, view(std::vector<std::int32_t>(count, cell.type)));
   }
 
-  const std::string body = "<UnstructuredGrid>\n" + time_element(time_us) + "<Piece NumberOfPoints=\"" +
-                           std::to_string(vertices) + "\" NumberOfCells=\"" + std::to_string(triangles) +
-                           "\">\n<Points>\n" + file.element(points) + "</Points>\n<Cells>\n" +
-                           file.element(connectivity) + file.element(offsets) + file.element(types) +
-                           "</Cells>\n<PointData>\n" + file.element(velocity) + file.element(force) +
-                           "</PointData>\n<CellData>\n" + file.element(cell_id) + file.element(cell_type) +
-                           "</CellData>\n</Piece>\n</UnstructuredGrid>\n";
+  const std::string body =
+      "<UnstructuredGrid>\n" + time_element(time_us) + "<Piece NumberOfPoints=\"" + std::to_string(vertices) +
+      "\" NumberOfCells=\"" + std::to_string(triangles) + "\">\n<Points>\n" + file.element(points) +
+      "</Points>\n<Cells>\n" + file.element(connectivity) + file.element(offsets) + file.element(types) +
+      "</Cells>\n<PointData>\n" + file.element(velocity) + file.element(force) + "</PointData>\n<CellData>\n" +
+      file.element(cell_id) + file.element(cell_type) + "</CellData>\n</Piece>\n</UnstructuredGrid>\n";
   file.write(communicator, path, "UnstructuredGrid", body);
 }
 

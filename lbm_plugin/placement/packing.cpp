@@ -9,7 +9,9 @@
 namespace npfem::flow {
 namespace {
 
-Vec3 vertex(std::span<const double> xyz, std::size_t v) { return {xyz[3 * v], xyz[3 * v + 1], xyz[3 * v + 2]}; }
+Vec3 vertex(std::span<const double> xyz, std::size_t v) {
+  return {xyz[3 * v], xyz[3 * v + 1], xyz[3 * v + 2]};
+}
 
 double radius_about_origin(std::span<const double> xyz) {
   double square = 0;
@@ -86,8 +88,8 @@ bool Packing::vertex_too_near(const RigidCell& a, const RigidCell& b, double gap
   Rotation turn{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      turn[3 * i + j] = b.rotation[i] * a.rotation[j] + b.rotation[3 + i] * a.rotation[3 + j] +
-                        b.rotation[6 + i] * a.rotation[6 + j];
+      turn[3 * i + j] =
+          b.rotation[i] * a.rotation[j] + b.rotation[3 + i] * a.rotation[3 + j] + b.rotation[6 + i] * a.rotation[6 + j];
     }
   }
   const double ratio = a.size / b.size;

@@ -12,11 +12,11 @@
 namespace npfem::flow {
 namespace {
 
-constexpr int insertion_trials = 2000;     // places tried for one cell before insertion counts as jammed
+constexpr int insertion_trials = 2000;  // places tried for one cell before insertion counts as jammed
 constexpr double start_sizes[] = {0.6, 0.45, 0.3, 0.2, 0.1};
-constexpr double growth = 1.04;            // lead that a cell may have over the smallest one
-constexpr int patience = 600;              // sweeps in which the smallest cell must have grown by a thousandth
-constexpr int halvings = 6;                // moves from the largest down to 1/64 of it
+constexpr double growth = 1.04;  // lead that a cell may have over the smallest one
+constexpr int patience = 600;    // sweeps in which the smallest cell must have grown by a thousandth
+constexpr int halvings = 6;      // moves from the largest down to 1/64 of it
 
 std::string fixed_text(double value, const char* format) {
   char text[64];
@@ -26,14 +26,17 @@ std::string fixed_text(double value, const char* format) {
 
 std::string describe(const Clash& clash, std::span<const CellType> types, const Packing& packing) {
   switch (clash.with) {
-    case Clash::With::wall: return "outside the walls or across one";
-    case Clash::With::own_image: return "overlapping its own periodic image: the box is too small for it";
+    case Clash::With::wall:
+      return "outside the walls or across one";
+    case Clash::With::own_image:
+      return "overlapping its own periodic image: the box is too small for it";
     case Clash::With::cell: {
       const auto other = static_cast<std::size_t>(clash.cell);
       return "overlapping cell " + std::to_string(clash.cell) + " (" +
              types[static_cast<std::size_t>(packing.cells()[other].type)].name + ")";
     }
-    case Clash::With::nothing: break;
+    case Clash::With::nothing:
+      break;
   }
   return "";
 }
@@ -68,8 +71,8 @@ class Placer {
         char place[128];
         std::snprintf(place, sizeof place, "(%.6g, %.6g, %.6g) um", start.centre[0], start.centre[1], start.centre[2]);
         throw PlacementError("cell " + std::to_string(packing_.cells().size()) + " (" +
-                             types_[static_cast<std::size_t>(start.type)].name + ") at " + place + " is " +
-                             describe(clash, types_, packing_) + "; move it, or take it out of the list",
+                                 types_[static_cast<std::size_t>(start.type)].name + ") at " + place + " is " +
+                                 describe(clash, types_, packing_) + "; move it, or take it out of the list",
                              static_cast<int>(packing_.cells().size()));
       }
       packing_.cells().push_back(cell);
@@ -192,8 +195,8 @@ class Placer {
       reached += packing_.volume_of(cell.type) * cell.size * cell.size * cell.size;
       full += cell.size >= 1.0 ? 1 : 0;
     }
-    const int wanted = std::accumulate(request_.counts.begin(), request_.counts.end(), 0) +
-                       static_cast<int>(request_.given.size());
+    const int wanted =
+        std::accumulate(request_.counts.begin(), request_.counts.end(), 0) + static_cast<int>(request_.given.size());
     const double volume = domain_.fluid_volume();
     throw PlacementError("no room for " + std::to_string(wanted) + " cells (haematocrit " +
                          fixed_text(asked / volume, "%.3f") + "): random placement stopped at haematocrit " +

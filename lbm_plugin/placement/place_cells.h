@@ -25,9 +25,9 @@ class PlacementError : public std::runtime_error {
 };
 
 struct PlacementRequest {
-  std::vector<int> counts;         ///< cells of each type to be placed at random
-  std::vector<CellStart> given;    ///< cells that stand where the user put them
-  double gap = 0;                  ///< um, between surfaces, and between surfaces and walls
+  std::vector<int> counts;       ///< cells of each type to be placed at random
+  std::vector<CellStart> given;  ///< cells that stand where the user put them
+  double gap = 0;                ///< um, between surfaces, and between surfaces and walls
   std::uint64_t seed = 1;
 };
 

@@ -19,18 +19,22 @@ api::Mesh mesh_of(const CellsRequest& request, const api::Material& material) {
 }
 
 /// The unloaded cell about the origin: at rest under its own forces, whatever shape its mesh had.
-std::vector<double> relaxed_shape(const api::Model& model, const CellsRequest& request, const Scene& scene) {
+std::vector<double> relaxed_shape(const api::Model& model, const CellsRequest& request) {
   api::Batch cell(model, "reference", 1);
-  for (const auto& [key, value] : scene.solver_options) cell.set(key, value);
   if (cell.relax() > 0) {
-    request.table.fail("material", "a cell \"" + request.name + "\" left alone does not come to rest: " +
-                                       cell.status_text(0));
+    request.table.fail("material",
+                       "a cell \"" + request.name + "\" left alone does not come to rest: " + cell.status_text(0));
   }
   std::vector<double> xyz(3 * static_cast<std::size_t>(model.vertices()));
   cell.read("position", 0, 1, xyz);
   const Vec3 centre = shape_of(xyz, model.triangles()).centre;
   for (std::size_t n = 0; n < xyz.size(); ++n) xyz[n] -= centre[n % 3];
   return xyz;
+}
+
+void require_valid_options(const api::Model& model, const Scene& scene) {
+  api::Batch none(model, "reference", 0);
+  for (const auto& [key, value] : scene.solver_options) none.set(key, value);
 }
 
 CellType make_type(const CellsRequest& request, const Scene& scene) {
@@ -41,13 +45,16 @@ CellType make_type(const CellsRequest& request, const Scene& scene) {
     const api::Mesh mesh = mesh_of(request, material);
     source = "material";
     const auto model = std::make_shared<const api::Model>(mesh, material);
-    return {request.name, model, relaxed_shape(*model, request, scene), model->triangles(), scene.solver_options};
+    require_valid_options(*model, scene);
+    return {request.name, model, relaxed_shape(*model, request), model->triangles(), scene.solver_options};
   } catch (const api::Failure& failure) {
     request.table.fail(source, failure.what());
   }
 }
 
-double volume_of(const CellType& type) { return enclosed_volume(type.shape, type.triangles); }
+double volume_of(const CellType& type) {
+  return enclosed_volume(type.shape, type.triangles);
+}
 
 }  // namespace
 

@@ -75,5 +75,4 @@ CellsRequest read_cells(const text::Table& table, const std::vector<CellsRequest
   return request;
 }
 
-
 }  // namespace npfem::flow

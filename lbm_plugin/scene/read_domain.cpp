@@ -23,15 +23,14 @@ int nodes_along(const Table& table, const Key& key, double length, double dx) {
   }
   const int nodes = static_cast<int>(std::lround(exact));
   if (std::abs(exact - nodes) > 1e-6) {
-    table.fail(key.name, format_quantity(length, "um") + " is not a whole number of node spacings (dx = " +
-                             format_quantity(dx, "um") + "); the nearest that are: " +
-                             format_quantity(std::floor(exact) * dx, "um") + " and " +
+    table.fail(key.name, format_quantity(length, "um") +
+                             " is not a whole number of node spacings (dx = " + format_quantity(dx, "um") +
+                             "); the nearest that are: " + format_quantity(std::floor(exact) * dx, "um") + " and " +
                              format_quantity(std::ceil(exact) * dx, "um"));
   }
   if (nodes < least_nodes) {
-    table.fail(key.name, format_quantity(length, "um") + " is only " + std::to_string(nodes) +
-                             " node spacings (dx = " + format_quantity(dx, "um") + "); at least " +
-                             std::to_string(least_nodes) + " are needed");
+    table.fail(key.name, format_quantity(length, "um") + " is only " + std::to_string(nodes) + " node spacings (dx = " +
+                             format_quantity(dx, "um") + "); at least " + std::to_string(least_nodes) + " are needed");
   }
   return nodes;
 }

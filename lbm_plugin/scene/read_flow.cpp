@@ -32,8 +32,7 @@ SteadyFlow poiseuille(const Domain& domain, double dynamic_viscosity) {
 
 void read_pressure_driven(const Table& table, Scene& scene) {
   Setup& setup = scene.setup;
-  const text::Key* drive =
-      one_of(table, {&keys::mean_velocity, &keys::centre_velocity, &keys::pressure_gradient});
+  const text::Key* drive = one_of(table, {&keys::mean_velocity, &keys::centre_velocity, &keys::pressure_gradient});
   if (!drive) return;
   const SteadyFlow flow = poiseuille(setup.domain, setup.density * setup.kinematic_viscosity);
   double gradient = table.quantity(*drive);
@@ -50,9 +49,8 @@ void require_low_mach(const Table& table, const Scene& scene) {
   const double sound = scene.setup.domain.dx / scene.setup.time_step / std::numbers::sqrt3;
   const double mach = scene.largest_velocity / sound;
   if (mach <= largest_mach) return;
-  table.fail("the largest velocity, " + format_quantity(rounded(scene.largest_velocity), "mm/s") +
-             ", is Mach " + text::format_number(rounded(mach)) +
-             " on the lattice, above 0.3: take a time step below " +
+  table.fail("the largest velocity, " + format_quantity(rounded(scene.largest_velocity), "mm/s") + ", is Mach " +
+             text::format_number(rounded(mach)) + " on the lattice, above 0.3: take a time step below " +
              format_quantity(rounded(scene.setup.time_step * largest_mach / mach), "us"));
 }
 
@@ -77,9 +75,10 @@ void read_fluid(const text::Table& table, Setup& setup) {
     tau = Units{dx, setup.time_step, setup.density}.relaxation_time(setup.kinematic_viscosity);
   }
   if (tau > largest_tau) {
-    table.fail(clock.name, "gives a relaxation time of " + text::format_number(rounded(tau)) + " steps, above " +
-                               text::format_number(largest_tau) + ": take a time step below " +
-                               format_quantity(rounded((largest_tau - 0.5) / 3 * dx * dx / setup.kinematic_viscosity), "us"));
+    table.fail(clock.name,
+               "gives a relaxation time of " + text::format_number(rounded(tau)) + " steps, above " +
+                   text::format_number(largest_tau) + ": take a time step below " +
+                   format_quantity(rounded((largest_tau - 0.5) / 3 * dx * dx / setup.kinematic_viscosity), "us"));
   }
 }
 
@@ -98,8 +97,9 @@ void read_flow(const text::Table& table, Scene& scene) {
     refuse(table, {&keys::shear_rate, &keys::mean_velocity, &keys::centre_velocity, &keys::pressure_gradient},
            "a periodic box has no walls to drive a flow against; take the kind shear_box, plates or tube");
   } else {
-    refuse(table, {&keys::shear_rate}, "only a shear box has this; give mean_velocity, centre_velocity or "
-                                       "pressure_gradient");
+    refuse(table, {&keys::shear_rate},
+           "only a shear box has this; give mean_velocity, centre_velocity or "
+           "pressure_gradient");
     read_pressure_driven(table, scene);
   }
   require_low_mach(table, scene);

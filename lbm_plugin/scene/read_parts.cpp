@@ -34,8 +34,8 @@ void refuse(const Table& table, std::initializer_list<const Key*> keys, const st
 int within(const Table& table, const Key& key, int least, int largest) {
   const std::int64_t value = table.integer(key);
   if (value < least || value > largest) {
-    table.fail(key.name, std::to_string(value) + " is not allowed: " + std::to_string(least) + " to " +
-                             std::to_string(largest));
+    table.fail(key.name,
+               std::to_string(value) + " is not allowed: " + std::to_string(least) + " to " + std::to_string(largest));
   }
   return static_cast<int>(value);
 }

@@ -26,8 +26,8 @@ void expect(const Table& table, const std::string& path) {
 /// Refuses unknown keys before anything is read: a misspelt key is then named, not reported missing.
 void require_known_keys(const Table& root) {
   expect(root, "");
-  for (const char* section : {"domain", "fluid", "flow", "placement", "coupling", "repulsion", "solver", "run",
-                              "output"}) {
+  for (const char* section :
+       {"domain", "fluid", "flow", "placement", "coupling", "repulsion", "solver", "run", "output"}) {
     if (root.has(section)) expect(root.table(section), section);
   }
   for (const Table& cells : root.tables("cells")) {
@@ -47,8 +47,7 @@ RepulsionSettings read_repulsion(const Table& table, const Key& range, const Key
 }
 
 void read_coupling(const Table& table, Setup& setup) {
-  setup.coupling.scheme =
-      table.choice(keys::scheme) == "implicit" ? CouplingScheme::implicit : CouplingScheme::peskin;
+  setup.coupling.scheme = table.choice(keys::scheme) == "implicit" ? CouplingScheme::implicit : CouplingScheme::peskin;
   setup.coupling.kernel_points = within(table, keys::kernel, 2, 4);
   setup.coupling.steps_per_solve = within(table, keys::cell_every, 1, 1000);
 }

@@ -15,136 +15,259 @@ using text::Key;
 using text::Kind;
 using text::optional;
 using text::Range;
-using text::required;
 
 // top level
-inline constexpr Key schema_version{"schema_version", Kind::integer, Dimension::none(), Range::positive, "", required,
-                                    "Version of this format: 1."};
-inline constexpr Key title{"title", Kind::text, Dimension::none(), Range::any, "", "untitled",
-                           "One line about the scene, repeated in the summary."};
+inline constexpr Key schema_version{
+    .name = "schema_version", .kind = Kind::integer, .range = Range::positive, .doc = "Version of this format: 1."};
+inline constexpr Key title{.name = "title",
+                           .kind = Kind::text,
+                           .fallback = "untitled",
+                           .doc = "One line about the scene, repeated in the summary."};
 
 // [domain]
-inline constexpr Key kind{"kind", Kind::choice, Dimension::none(), Range::any, "tube shear_box plates periodic_box",
-                          required,
-                          "`tube`: round, along z, periodic in z. `shear_box`: plates at y = 0 and y = size moving "
-                          "along x, periodic in x and z. `plates`: the same at rest. `periodic_box`: no walls."};
-inline constexpr Key size{"size", Kind::vector3, Dimension::length(), Range::positive, "", optional,
-                          "Lengths along x, y, z; all kinds but the tube. Whole multiples of `dx`."};
-inline constexpr Key diameter{"diameter", Kind::quantity, Dimension::length(), Range::positive, "", optional,
-                              "Of the tube. A whole multiple of `dx`."};
-inline constexpr Key length{"length", Kind::quantity, Dimension::length(), Range::positive, "", optional,
-                            "Of the tube. A whole multiple of `dx`."};
-inline constexpr Key dx{"dx", Kind::quantity, Dimension::length(), Range::positive, "", required,
-                        "Distance of the lattice nodes."};
+inline constexpr Key kind{.name = "kind",
+                          .kind = Kind::choice,
+                          .choices = "tube shear_box plates periodic_box",
+                          .doc =
+                              "`tube`: round, along z, periodic in z. `shear_box`: plates at y = 0 and y = size moving "
+                              "along x, periodic in x and z. `plates`: the same at rest. `periodic_box`: no walls."};
+inline constexpr Key size{.name = "size",
+                          .kind = Kind::vector3,
+                          .dimension = Dimension::length(),
+                          .range = Range::positive,
+                          .fallback = optional,
+                          .doc = "Lengths along x, y, z; all kinds but the tube. Whole multiples of `dx`."};
+inline constexpr Key diameter{.name = "diameter",
+                              .dimension = Dimension::length(),
+                              .range = Range::positive,
+                              .fallback = optional,
+                              .doc = "Of the tube. A whole multiple of `dx`."};
+inline constexpr Key length{.name = "length",
+                            .dimension = Dimension::length(),
+                            .range = Range::positive,
+                            .fallback = optional,
+                            .doc = "Of the tube. A whole multiple of `dx`."};
+inline constexpr Key dx{
+    .name = "dx", .dimension = Dimension::length(), .range = Range::positive, .doc = "Distance of the lattice nodes."};
 
 // [fluid]
-inline constexpr Key density{"density", Kind::quantity, Dimension::density(), Range::positive, "", "1025 kg/m3",
-                             "Of the fluid, inside and outside of the cells."};
-inline constexpr Key kinematic_viscosity{"kinematic_viscosity", Kind::quantity, Dimension::kinematic_viscosity(),
-                                         Range::positive, "", optional, "Either this or `dynamic_viscosity`."};
-inline constexpr Key dynamic_viscosity{"dynamic_viscosity", Kind::quantity, Dimension::dynamic_viscosity(),
-                                       Range::positive, "", optional, "Either this or `kinematic_viscosity`."};
-inline constexpr Key time_step{"time_step", Kind::quantity, Dimension::time(), Range::positive, "", optional,
-                               "Of the fluid. Either this or `tau`."};
-inline constexpr Key tau{"tau", Kind::quantity, Dimension::none(), Range::positive, "", optional,
-                         "Relaxation time in time steps, above 0.5; sets the time step. Either this or `time_step`."};
-inline constexpr Key magic_parameter{"magic_parameter", Kind::quantity, Dimension::none(), Range::positive, "",
-                                     "0.1875",
-                                     "Of the two-relaxation-time collision; 3/16 puts flat walls exactly half-way."};
+inline constexpr Key density{.name = "density",
+                             .dimension = Dimension::density(),
+                             .range = Range::positive,
+                             .fallback = "1025 kg/m3",
+                             .doc = "Of the fluid, inside and outside of the cells."};
+inline constexpr Key kinematic_viscosity{.name = "kinematic_viscosity",
+                                         .dimension = Dimension::kinematic_viscosity(),
+                                         .range = Range::positive,
+                                         .fallback = optional,
+                                         .doc = "Either this or `dynamic_viscosity`."};
+inline constexpr Key dynamic_viscosity{.name = "dynamic_viscosity",
+                                       .dimension = Dimension::dynamic_viscosity(),
+                                       .range = Range::positive,
+                                       .fallback = optional,
+                                       .doc = "Either this or `kinematic_viscosity`."};
+inline constexpr Key time_step{.name = "time_step",
+                               .dimension = Dimension::time(),
+                               .range = Range::positive,
+                               .fallback = optional,
+                               .doc = "Of the fluid. Either this or `tau`."};
+inline constexpr Key tau{
+    .name = "tau",
+    .range = Range::positive,
+    .fallback = optional,
+    .doc = "Relaxation time in time steps, above 0.5; sets the time step. Either this or `time_step`."};
+inline constexpr Key magic_parameter{
+    .name = "magic_parameter",
+    .range = Range::positive,
+    .fallback = "0.1875",
+    .doc = "Of the two-relaxation-time collision; 3/16 puts flat walls exactly half-way."};
 
 // [flow]
-inline constexpr Key shear_rate{"shear_rate", Kind::quantity, Dimension::rate(), Range::non_negative, "", optional,
-                                "Of the shear box: relative speed of the plates over their distance."};
-inline constexpr Key mean_velocity{"mean_velocity", Kind::quantity, Dimension::velocity(), Range::non_negative, "",
-                                   optional,
-                                   "Tube and plates: sets the body force that would drive the fluid without cells at "
-                                   "this mean velocity, along z in a tube and along x between plates."};
-inline constexpr Key centre_velocity{"centre_velocity", Kind::quantity, Dimension::velocity(), Range::non_negative, "",
-                                     optional, "The same, by the velocity in the middle."};
-inline constexpr Key pressure_gradient{"pressure_gradient", Kind::quantity, Dimension::force_density(),
-                                       Range::non_negative, "", optional, "The same, by the pressure drop per length."};
-inline constexpr Key start{"start", Kind::choice, Dimension::none(), Range::any, "rest developed", "rest",
-                           "The fluid starts at `rest`, or in the steady flow without cells (`developed`)."};
+inline constexpr Key shear_rate{.name = "shear_rate",
+                                .dimension = Dimension::rate(),
+                                .range = Range::non_negative,
+                                .fallback = optional,
+                                .doc = "Of the shear box: relative speed of the plates over their distance."};
+inline constexpr Key mean_velocity{.name = "mean_velocity",
+                                   .dimension = Dimension::velocity(),
+                                   .range = Range::non_negative,
+                                   .fallback = optional,
+                                   .doc =
+                                       "Tube and plates: sets the body force that would drive the fluid without cells "
+                                       "at this mean velocity, along z in a tube and along x between plates."};
+inline constexpr Key centre_velocity{.name = "centre_velocity",
+                                     .dimension = Dimension::velocity(),
+                                     .range = Range::non_negative,
+                                     .fallback = optional,
+                                     .doc = "The same, by the velocity in the middle."};
+inline constexpr Key pressure_gradient{.name = "pressure_gradient",
+                                       .dimension = Dimension::force_density(),
+                                       .range = Range::non_negative,
+                                       .fallback = optional,
+                                       .doc = "The same, by the pressure drop per length."};
+inline constexpr Key start{.name = "start",
+                           .kind = Kind::choice,
+                           .choices = "rest developed",
+                           .fallback = "rest",
+                           .doc = "The fluid starts at `rest`, or in the steady flow without cells (`developed`)."};
 
 // [[cells]]
-inline constexpr Key name{"name", Kind::text, Dimension::none(), Range::any, "", required, "Of this type of cell."};
-inline constexpr Key material{"material", Kind::text, Dimension::none(), Range::any, "", required,
-                              "A preset (`rbc`, `platelet`, ...) or the path of a material file, from the scene."};
-inline constexpr Key level{"level", Kind::integer, Dimension::none(), Range::non_negative, "", optional,
-                           "Refinement of the mesh: 2, 3, 4 give 66, 258, 1026 vertices. Default: the material's."};
-inline constexpr Key mesh{"mesh", Kind::text, Dimension::none(), Range::any, "", optional,
-                          "Path of a mesh file (.off .obj .stl .ply, um), from the scene. Default: the material's "
-                          "shape."};
-inline constexpr Key haematocrit{"haematocrit", Kind::quantity, Dimension::none(), Range::fraction, "", optional,
-                                 "Volume of these cells over the volume open to the fluid; met within half a cell."};
-inline constexpr Key count{"count", Kind::integer, Dimension::none(), Range::non_negative, "", optional,
-                           "Number of these cells, placed at random."};
-inline constexpr Key ratio{"ratio", Kind::quantity, Dimension::none(), Range::non_negative, "", optional,
-                           "Number of these cells per cell of the type `ratio_to`, placed at random."};
-inline constexpr Key ratio_to{"ratio_to", Kind::text, Dimension::none(), Range::any, "", optional,
-                              "Name of a type listed before."};
+inline constexpr Key name{.name = "name", .kind = Kind::text, .doc = "Of this type of cell."};
+inline constexpr Key material{
+    .name = "material",
+    .kind = Kind::text,
+    .doc = "A preset (`rbc`, `platelet`, ...) or the path of a material file, from the scene."};
+inline constexpr Key level{
+    .name = "level",
+    .kind = Kind::integer,
+    .range = Range::non_negative,
+    .fallback = optional,
+    .doc = "Refinement of the mesh: 2, 3, 4 give 66, 258, 1026 vertices. Default: the material's."};
+inline constexpr Key mesh{
+    .name = "mesh",
+    .kind = Kind::text,
+    .fallback = optional,
+    .doc = "Path of a mesh file (.off .obj .stl .ply, um), from the scene. Default: the material's shape."};
+inline constexpr Key haematocrit{
+    .name = "haematocrit",
+    .range = Range::fraction,
+    .fallback = optional,
+    .doc = "Volume of these cells over the volume open to the fluid; met within half a cell."};
+inline constexpr Key count{.name = "count",
+                           .kind = Kind::integer,
+                           .range = Range::non_negative,
+                           .fallback = optional,
+                           .doc = "Number of these cells, placed at random."};
+inline constexpr Key ratio{.name = "ratio",
+                           .range = Range::non_negative,
+                           .fallback = optional,
+                           .doc = "Number of these cells per cell of the type `ratio_to`, placed at random."};
+inline constexpr Key ratio_to{
+    .name = "ratio_to", .kind = Kind::text, .fallback = optional, .doc = "Name of a type listed before."};
 
 // [[cells.positions]]
-inline constexpr Key centre{"centre", Kind::vector3, Dimension::length(), Range::any, "", required,
-                            "Where the middle of the cell starts."};
-inline constexpr Key rotate{"rotate", Kind::vector3, Dimension::angle(), Range::any, "",
-                            "[\"0 deg\", \"0 deg\", \"0 deg\"]",
-                            "Turns about the fixed axes x, then y, then z; a red cell or platelet has its axis along "
-                            "z before."};
+inline constexpr Key centre{.name = "centre",
+                            .kind = Kind::vector3,
+                            .dimension = Dimension::length(),
+                            .doc = "Where the middle of the cell starts."};
+inline constexpr Key rotate{
+    .name = "rotate",
+    .kind = Kind::vector3,
+    .dimension = Dimension::angle(),
+    .fallback = "[\"0 deg\", \"0 deg\", \"0 deg\"]",
+    .doc = "Turns about the fixed axes x, then y, then z; a red cell or platelet has its axis along z before."};
 
 // [placement]
-inline constexpr Key seed{"seed", Kind::integer, Dimension::none(), Range::non_negative, "", "1",
-                          "Of the random placement."};
-inline constexpr Key gap{"gap", Kind::quantity, Dimension::length(), Range::non_negative, "", "0.3 um",
-                         "Least distance between the surfaces of cells placed at random, and to the walls."};
+inline constexpr Key seed{.name = "seed",
+                          .kind = Kind::integer,
+                          .range = Range::non_negative,
+                          .fallback = "1",
+                          .doc = "Of the random placement."};
+inline constexpr Key gap{.name = "gap",
+                         .dimension = Dimension::length(),
+                         .range = Range::non_negative,
+                         .fallback = "0.3 um",
+                         .doc = "Least distance between the surfaces of cells placed at random, and to the walls."};
 
 // [coupling]
-inline constexpr Key scheme{"scheme", Kind::choice, Dimension::none(), Range::any, "implicit peskin", "implicit",
-                            "`implicit`: stable for any stiffness of the membrane. `peskin`: explicit, the yardstick "
-                            "while it is stable."};
-inline constexpr Key kernel{"kernel", Kind::integer, Dimension::none(), Range::positive, "", "4",
-                            "Width of the immersed-boundary kernel in nodes: 2, 3 or 4."};
-inline constexpr Key cell_every{"cell_every", Kind::integer, Dimension::none(), Range::positive, "", "1",
-                                "Fluid steps per step of the cell solver."};
+inline constexpr Key scheme{
+    .name = "scheme",
+    .kind = Kind::choice,
+    .choices = "implicit peskin",
+    .fallback = "implicit",
+    .doc =
+        "`implicit`: stable for any stiffness of the membrane. `peskin`: explicit, the yardstick while it is stable."};
+inline constexpr Key kernel{.name = "kernel",
+                            .kind = Kind::integer,
+                            .range = Range::positive,
+                            .fallback = "4",
+                            .doc = "Width of the immersed-boundary kernel in nodes: 2, 3 or 4."};
+inline constexpr Key cell_every{.name = "cell_every",
+                                .kind = Kind::integer,
+                                .range = Range::positive,
+                                .fallback = "1",
+                                .doc = "Fluid steps per step of the cell solver."};
 
 // [repulsion]
-inline constexpr Key range{"range", Kind::quantity, Dimension::length(), Range::non_negative, "", optional,
-                           "Distance of two vertices of different cells below which they repel; 0: never. Default: `dx`."};
-inline constexpr Key strength{"strength", Kind::quantity, Dimension::force(), Range::non_negative, "", "2 pN",
-                              "Force between two vertices at contact, falling as (1 - distance/range)^2."};
-inline constexpr Key wall_range{"wall_range", Kind::quantity, Dimension::length(), Range::non_negative, "", optional,
-                                "Distance of a vertex from a wall below which the wall repels it; 0: never. Default: "
-                                "`dx`."};
-inline constexpr Key wall_strength{"wall_strength", Kind::quantity, Dimension::force(), Range::non_negative, "",
-                                   "2 pN", "Force between a vertex and a wall at contact."};
+inline constexpr Key range{
+    .name = "range",
+    .dimension = Dimension::length(),
+    .range = Range::non_negative,
+    .fallback = optional,
+    .doc = "Distance of two vertices of different cells below which they repel; 0: never. Default: `dx`."};
+inline constexpr Key strength{.name = "strength",
+                              .dimension = Dimension::force(),
+                              .range = Range::non_negative,
+                              .fallback = "2 pN",
+                              .doc = "Force between two vertices at contact, falling as (1 - distance/range)^2."};
+inline constexpr Key wall_range{
+    .name = "wall_range",
+    .dimension = Dimension::length(),
+    .range = Range::non_negative,
+    .fallback = optional,
+    .doc = "Distance of a vertex from a wall below which the wall repels it; 0: never. Default: `dx`."};
+inline constexpr Key wall_strength{.name = "wall_strength",
+                                   .dimension = Dimension::force(),
+                                   .range = Range::non_negative,
+                                   .fallback = "2 pN",
+                                   .doc = "Force between a vertex and a wall at contact."};
 
 // [solver]
-inline constexpr Key tolerance{"tolerance", Kind::quantity, Dimension::force(), Range::positive, "", optional,
-                               "Largest residual force of a converged cell. Default: the cell solver's."};
-inline constexpr Key residual_bound{"residual_bound", Kind::quantity, Dimension::force(), Range::positive, "", optional,
-                                    "At the iteration cap, a smaller residual is a warning and a larger one a failure. "
-                                    "Default: the cell solver's."};
-inline constexpr Key max_iterations{"max_iterations", Kind::integer, Dimension::none(), Range::positive, "", optional,
-                                    "Iterations allowed in one step of a cell. Default: the cell solver's."};
+inline constexpr Key tolerance{.name = "tolerance",
+                               .dimension = Dimension::force(),
+                               .range = Range::positive,
+                               .fallback = optional,
+                               .doc = "Largest residual force of a converged cell. Default: the cell solver's."};
+inline constexpr Key residual_bound{.name = "residual_bound",
+                                    .dimension = Dimension::force(),
+                                    .range = Range::positive,
+                                    .fallback = optional,
+                                    .doc =
+                                        "At the iteration cap, a smaller residual is a warning and a larger one a "
+                                        "failure. Default: the cell solver's."};
+inline constexpr Key max_iterations{.name = "max_iterations",
+                                    .kind = Kind::integer,
+                                    .range = Range::positive,
+                                    .fallback = optional,
+                                    .doc = "Iterations allowed in one step of a cell. Default: the cell solver's."};
 
 // [run]
-inline constexpr Key steps{"steps", Kind::integer, Dimension::none(), Range::non_negative, "", optional,
-                           "Fluid steps of the run. With `time` too, whichever comes first."};
-inline constexpr Key time{"time", Kind::quantity, Dimension::time(), Range::non_negative, "", optional,
-                          "Duration of the run, rounded to whole steps."};
+inline constexpr Key steps{.name = "steps",
+                           .kind = Kind::integer,
+                           .range = Range::non_negative,
+                           .fallback = optional,
+                           .doc = "Fluid steps of the run. With `time` too, whichever comes first."};
+inline constexpr Key time{.name = "time",
+                          .dimension = Dimension::time(),
+                          .range = Range::non_negative,
+                          .fallback = optional,
+                          .doc = "Duration of the run, rounded to whole steps."};
 
 // [output]
-inline constexpr Key cells_every{"cells_every", Kind::quantity, Dimension::time(), Range::non_negative, "", "0 us",
-                                 "Time between cell files (VTU), in whole steps; 0: at the start and the end only."};
-inline constexpr Key fluid_every{"fluid_every", Kind::quantity, Dimension::time(), Range::non_negative, "", "0 us",
-                                 "The same for the fluid (VTI)."};
-inline constexpr Key table_every{"table_every", Kind::quantity, Dimension::time(), Range::non_negative, "", "0 us",
-                                 "The same for the lines of `cells.csv`."};
-inline constexpr Key cells{"cells", Kind::boolean, Dimension::none(), Range::any, "", "true", "Write cell files."};
-inline constexpr Key fluid{"fluid", Kind::boolean, Dimension::none(), Range::any, "", "true", "Write fluid files."};
-inline constexpr Key into_box{"into_box", Kind::boolean, Dimension::none(), Range::any, "", "true",
-                              "Cell files show each cell whole, moved by whole periods so that its middle lies in the "
-                              "box. `false`: where it has travelled to."};
+inline constexpr Key cells_every{
+    .name = "cells_every",
+    .dimension = Dimension::time(),
+    .range = Range::non_negative,
+    .fallback = "0 us",
+    .doc = "Time between cell files (VTU), in whole steps; 0: at the start and the end only."};
+inline constexpr Key fluid_every{.name = "fluid_every",
+                                 .dimension = Dimension::time(),
+                                 .range = Range::non_negative,
+                                 .fallback = "0 us",
+                                 .doc = "The same for the fluid (VTI)."};
+inline constexpr Key table_every{.name = "table_every",
+                                 .dimension = Dimension::time(),
+                                 .range = Range::non_negative,
+                                 .fallback = "0 us",
+                                 .doc = "The same for the lines of `cells.csv`."};
+inline constexpr Key cells{.name = "cells", .kind = Kind::boolean, .fallback = "true", .doc = "Write cell files."};
+inline constexpr Key fluid{.name = "fluid", .kind = Kind::boolean, .fallback = "true", .doc = "Write fluid files."};
+inline constexpr Key into_box{.name = "into_box",
+                              .kind = Kind::boolean,
+                              .fallback = "true",
+                              .doc =
+                                  "Cell files show each cell whole, moved by whole periods so that its middle lies in "
+                                  "the box. `false`: where it has travelled to."};
 
 }  // namespace npfem::flow::keys
 

@@ -22,9 +22,13 @@ const Setup& checked(const Setup& setup) {
   return setup;
 }
 
-Units units_of(const Setup& setup) { return {setup.domain.dx, setup.time_step, setup.density}; }
+Units units_of(const Setup& setup) {
+  return {setup.domain.dx, setup.time_step, setup.density};
+}
 
-double cell_time_step(const Setup& setup) { return setup.coupling.steps_per_solve * setup.time_step; }
+double cell_time_step(const Setup& setup) {
+  return setup.coupling.steps_per_solve * setup.time_step;
+}
 
 /// Volume (um3) enclosed by a surface of outward triangles: the sum of the tetrahedra over the origin.
 double enclosed_volume(std::span<const double> xyz, std::span<const std::int32_t> triangles) {
@@ -70,7 +74,7 @@ struct Simulation::State {
   std::vector<double> start_volumes;   // um3, by type
   std::vector<CellFailure> failures;
   std::set<int> failed_cells;
-  Counters counters;                   // of this rank
+  Counters counters;  // of this rank
   double coupling_seconds = 0;
   std::int64_t steps = 0;
 };
@@ -165,14 +169,30 @@ std::vector<CellSurface> Simulation::State::surfaces() const {
   return own;
 }
 
-const std::vector<CellFailure>& Simulation::failures() const { return state_->failures; }
-std::int64_t Simulation::steps_done() const { return state_->steps; }
-double Simulation::time_us() const { return static_cast<double>(state_->steps) * state_->setup.time_step; }
-const Setup& Simulation::setup() const { return state_->setup; }
-const Units& Simulation::units() const { return state_->units; }
-const Lattice& Simulation::lattice() const { return state_->lattice; }
-const Decomposition& Simulation::decomposition() const { return state_->decomposition; }
-int Simulation::cell_count() const { return static_cast<int>(state_->setup.cells.size()); }
+const std::vector<CellFailure>& Simulation::failures() const {
+  return state_->failures;
+}
+std::int64_t Simulation::steps_done() const {
+  return state_->steps;
+}
+double Simulation::time_us() const {
+  return static_cast<double>(state_->steps) * state_->setup.time_step;
+}
+const Setup& Simulation::setup() const {
+  return state_->setup;
+}
+const Units& Simulation::units() const {
+  return state_->units;
+}
+const Lattice& Simulation::lattice() const {
+  return state_->lattice;
+}
+const Decomposition& Simulation::decomposition() const {
+  return state_->decomposition;
+}
+int Simulation::cell_count() const {
+  return static_cast<int>(state_->setup.cells.size());
+}
 
 std::vector<CellState> Simulation::local_cells() const {
   const CellPopulation& cells = state_->cells;
@@ -221,7 +241,9 @@ double Simulation::volume_error() const {
   return worst;
 }
 
-double Simulation::momentum_error() const { return state_->audit.error(state_->lattice, state_->communicator); }
+double Simulation::momentum_error() const {
+  return state_->audit.error(state_->lattice, state_->communicator);
+}
 
 double Simulation::minimum_gap() const {
   const State& s = *state_;

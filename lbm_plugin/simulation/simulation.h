@@ -38,12 +38,12 @@ struct CellState {
 
 /// What a run has done so far, by the whole system; times are this rank's.
 struct Counters {
-  std::int64_t cell_steps = 0;    ///< steps of single cells
-  std::int64_t iterations = 0;    ///< iterations of the cell solver over all cells and steps
-  double worst_residual_pN = 0;   ///< largest residual force that any cell step ended with
-  double fluid_seconds = 0;     ///< in the lattice
-  double cell_seconds = 0;      ///< in the cell solver and in moving cells between ranks
-  double exchange_seconds = 0;  ///< between vertices and nodes: interpolation, spreading, contacts, messages
+  std::int64_t cell_steps = 0;   ///< steps of single cells
+  std::int64_t iterations = 0;   ///< iterations of the cell solver over all cells and steps
+  double worst_residual_pN = 0;  ///< largest residual force that any cell step ended with
+  double fluid_seconds = 0;      ///< in the lattice
+  double cell_seconds = 0;       ///< in the cell solver and in moving cells between ranks
+  double exchange_seconds = 0;   ///< between vertices and nodes: interpolation, spreading, contacts, messages
 };
 
 /// A suspension of deformable cells in a lattice Boltzmann fluid: the whole coupled run, one fluid step at a time.
@@ -76,11 +76,11 @@ class Simulation {
   /// Cells of the whole system.
   int cell_count() const;
 
-  Counters counters() const;       ///< collective
-  double volume_error() const;     ///< max over all cells of |V / V_start - 1|; collective
-  double momentum_error() const;   ///< see coupling/momentum_audit.h; collective
-  double minimum_gap() const;       ///< um, vertex to triangle between cells, infinity below two cells; collective
-  double minimum_wall_gap() const;  ///< um, vertex to wall, infinity without walls; collective
+  Counters counters() const;         ///< collective
+  double volume_error() const;       ///< max over all cells of |V / V_start - 1|; collective
+  double momentum_error() const;     ///< see coupling/momentum_audit.h; collective
+  double minimum_gap() const;        ///< um, vertex to triangle between cells, infinity below two cells; collective
+  double minimum_wall_gap() const;   ///< um, vertex to wall, infinity without walls; collective
   std::uint64_t state_hash() const;  ///< of fluid and cells, the same for any number of ranks; collective
 
  private:

@@ -68,10 +68,14 @@ LatticeOptions lattice_options(const Setup& setup, const Units& units) {
 
 Vec3 developed_velocity(const Setup& setup, const Vec3& position) {
   switch (setup.domain.kind) {
-    case DomainKind::shear_box: return couette(setup.domain, position[1]);
-    case DomainKind::plates: return between_plates(setup, position[1]);
-    case DomainKind::tube: return in_tube(setup, position);
-    case DomainKind::periodic_box: break;
+    case DomainKind::shear_box:
+      return couette(setup.domain, position[1]);
+    case DomainKind::plates:
+      return between_plates(setup, position[1]);
+    case DomainKind::tube:
+      return in_tube(setup, position);
+    case DomainKind::periodic_box:
+      break;
   }
   return {};
 }

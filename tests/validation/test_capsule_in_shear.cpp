@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
-// A neo-Hookean capsule, spherical at rest, in simple shear: Taylor's deformation over time at Ca = mu gdot a / G_s = 0.3,
-// viscosity ratio 1, against the high-resolution curve of D. Huet (validation.md C1), and the implicit coupling against
-// the explicit one on the same grid.
+// A neo-Hookean capsule, spherical at rest, in simple shear: Taylor's deformation over time at Ca = mu gdot a / G_s =
+// 0.3, viscosity ratio 1, against the high-resolution curve of D. Huet (validation.md C1), and the implicit coupling
+// against the explicit one on the same grid.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,11 +19,11 @@ namespace {
 constexpr double kReferenceD = 0.3123;  // at gdot t = 1
 
 struct ShearRun {
-  double radius;        // node spacings
-  int box;              // node spacings
-  int mesh_level;       // of the icosphere
-  double capillary;     // Ca
-  double reynolds;      // gdot a^2 / nu
+  double radius;     // node spacings
+  int box;           // node spacings
+  int mesh_level;    // of the icosphere
+  double capillary;  // Ca
+  double reynolds;   // gdot a^2 / nu
   CouplingScheme scheme = CouplingScheme::implicit;
   int steps_per_solve = 1;
   int kernel_points = 4;

@@ -16,7 +16,8 @@ namespace npfem::flow {
 namespace {
 
 /// A capsule of radius 4 in a box of 6 radii, Ca of its shear modulus, Skalak's C.
-flow::Setup stiff(CouplingScheme scheme, double tau, double capillary, double skalak_c, double reynolds, int every = 1) {
+flow::Setup stiff(CouplingScheme scheme, double tau, double capillary, double skalak_c, double reynolds,
+                  int every = 1) {
   flow::Setup setup = capsules::fluid(DomainKind::shear_box, {24, 24, 24}, tau);
   const double rate = reynolds * setup.kinematic_viscosity / 16;
   setup.domain.plate_speed = 24 * rate;

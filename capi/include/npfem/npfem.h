@@ -19,7 +19,7 @@
 #ifndef NPFEM_H
 #define NPFEM_H
 
-#include <stdint.h>
+#include <stdint.h> /* NOLINT(modernize-deprecated-headers): C */
 
 #if defined(_WIN32) && !defined(NPFEM_STATIC)
 #if defined(NPFEM_BUILDING)

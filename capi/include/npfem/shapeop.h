@@ -32,6 +32,8 @@
 extern "C" {
 #endif
 
+/* NOLINTBEGIN(readability-identifier-naming): the names are the lineage's */
+
 typedef double ShapeOpScalar;
 typedef struct ShapeOpSolver ShapeOpSolver;
 
@@ -84,6 +86,8 @@ NPFEM_API int shapeop_solve(ShapeOpSolver* solver, int m, unsigned int max_itera
                             unsigned int max_line_search_loops, unsigned int max_attempts_to_solve_stagnation,
                             unsigned int convergence_window, ShapeOpScalar tol, ShapeOpScalar gamma,
                             ShapeOpScalar gamma2, ShapeOpScalar collisions_threshold, ShapeOpScalar collisions_weight);
+
+/* NOLINTEND(readability-identifier-naming) */
 
 #ifdef __cplusplus
 }

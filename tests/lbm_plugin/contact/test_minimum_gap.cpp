@@ -47,7 +47,8 @@ TEST(MinimumGap, IsFromVertexToFaceToo) {
   const double far = 0.5;
   // The only vertex near: put vertex 0 there, the others further out along the normal.
   for (std::size_t v = 0; v < 6; ++v) {
-    for (std::size_t a = 0; a < 3; ++a) other.positions[3 * v + a] = face[a] + s * far + (v == 0 ? 0.0 : s * (3.0 + 0.1 * double(v)));
+    for (std::size_t a = 0; a < 3; ++a)
+      other.positions[3 * v + a] = face[a] + s * far + (v == 0 ? 0.0 : s * (3.0 + 0.1 * double(v)));
   }
   const std::vector<CellSurface> cells{moved(types[0], 0, {0, 0, 0}), other};
   EXPECT_NEAR(smallest_cell_gap(box(), types, self, cells), far, 1e-12);

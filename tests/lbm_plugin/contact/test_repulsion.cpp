@@ -84,7 +84,8 @@ TEST(Repulsion, ActsBetweenDifferentCellsOnly) {
   repulsion.evaluate(known, forces);
   EXPECT_NEAR(forces[1], -1.25, 1e-12);
   EXPECT_EQ(forces[0], 0) << "the neighbour in x belongs to the same cell";
-  for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(forces[axis] + forces[3 + axis] + forces[6 + axis], 0, 1e-14);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(forces[axis] + forces[3 + axis] + forces[6 + axis], 0, 1e-14);
   EXPECT_EQ(repulsion.force_of_walls(), Vec3{});
 }
 

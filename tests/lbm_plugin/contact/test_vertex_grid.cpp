@@ -31,8 +31,9 @@ void expect_all_pairs_met(const Decomposition& split, int rank, double reach) {
   for (int v = 0; v < 500; ++v) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       // Within the window of the rank, in any image.
-      const double inside = own.begin[axis] - 2 + (own.size(static_cast<int>(axis)) + 4) *
-                                                      (0.5 + 0.5 * flows::random_value(v, static_cast<std::int64_t>(axis)));
+      const double inside = own.begin[axis] - 2 +
+                            (own.size(static_cast<int>(axis)) + 4) *
+                                (0.5 + 0.5 * flows::random_value(v, static_cast<std::int64_t>(axis)));
       const int image = split.periodic(static_cast<int>(axis)) ? v % 5 - 2 : 0;
       positions.push_back(inside + image * split.nodes()[axis]);
     }

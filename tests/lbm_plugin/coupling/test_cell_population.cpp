@@ -17,8 +17,9 @@ constexpr int kCells = 12;
 
 flow::Setup setup_with_cells() {
   flow::Setup setup = capsules::fluid(DomainKind::periodic_box, {12, 11, 10}, 1.0);
-  setup.types = {capsules::capsule("sphere", 1, 1.0, capsules::neo_hookean(0.01)),
-                 capsules::capsule("icosphere", 1, 1.0, capsules::neo_hookean(0.01) + "membrane_density = \"0.5 fg/um2\"")};
+  setup.types = {
+      capsules::capsule("sphere", 1, 1.0, capsules::neo_hookean(0.01)),
+      capsules::capsule("icosphere", 1, 1.0, capsules::neo_hookean(0.01) + "membrane_density = \"0.5 fg/um2\"")};
   for (int c = 0; c < kCells; ++c) capsules::place(setup, c % 2, flows::random_vector(c, 0, 20.0));
   return setup;
 }

@@ -40,7 +40,9 @@ Everyone vertices(int owner, int ranks) {
 }
 
 /// A number that belongs to one vertex.
-double label(const VertexId& id, int component) { return 1000.0 * id.cell + id.vertex + 0.125 * component; }
+double label(const VertexId& id, int component) {
+  return 1000.0 * id.cell + id.vertex + 0.125 * component;
+}
 
 class VertexExchangeTest : public testing::TestWithParam<bool> {
  protected:

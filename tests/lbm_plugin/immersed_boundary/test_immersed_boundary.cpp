@@ -21,7 +21,8 @@ constexpr Index3 kNodes{12, 10, 9};
 struct Scene {
   explicit Scene(int points, bool walls = false)
       : split(kNodes, {true, !walls, true}, 1),
-        lattice(self, split, walls ? flows::plates(1, kNodes[1], {-0.03, 0, 0}, {0.05, 0, 0.01}) : flows::periodic(), {}),
+        lattice(self, split, walls ? flows::plates(1, kNodes[1], {-0.03, 0, 0}, {0.05, 0, 0.01}) : flows::periodic(),
+                {}),
         boundary(points, split, 0) {
     lattice.initialise([this](int ix, int iy, int iz) {
       return FluidState{0, flows::random_vector(split.global_id(ix, iy, iz), 7, 0.1)};
@@ -48,7 +49,8 @@ struct Scene {
   void for_each_node(Visit&& visit) const {
     for (int iz = 0; iz < kNodes[2]; ++iz) {
       for (int iy = 0; iy < kNodes[1]; ++iy) {
-        for (int ix = 0; ix < kNodes[0]; ++ix) visit(lattice.grid().index(ix, iy, iz), Vec3{ix + 0.5, iy + 0.5, iz + 0.5});
+        for (int ix = 0; ix < kNodes[0]; ++ix)
+          visit(lattice.grid().index(ix, iy, iz), Vec3{ix + 0.5, iy + 0.5, iz + 0.5});
       }
     }
   }

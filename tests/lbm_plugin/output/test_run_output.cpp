@@ -11,7 +11,9 @@
 namespace npfem::flow {
 namespace {
 
-void put(const std::filesystem::path& path) { std::ofstream(path) << "x"; }
+void put(const std::filesystem::path& path) {
+  std::ofstream(path) << "x";
+}
 
 TEST(OutputFolder, IsMadeWithItsParents) {
   const ScratchFolder scratch("output_made");
@@ -29,8 +31,8 @@ TEST(OutputFolder, KeepsWhatIsInIt) {
 
 TEST(OutputFolder, OverwriteRemovesOnlyTheFilesOfARun) {
   const ScratchFolder scratch("output_overwrite");
-  for (const char* file : {"cells_000000010.vtu", "fluid_000000010.vti", "cells.pvd", "cells.csv", "summary.json",
-                           "scene.toml"}) {
+  for (const char* file :
+       {"cells_000000010.vtu", "fluid_000000010.vti", "cells.pvd", "cells.csv", "summary.json", "scene.toml", "cells_000000020.vtu.part"}) {
     put(scratch.path() / file);
   }
   for (const char* file : {"notes.txt", "cells_best.vtu", "preview.png", "cells_000000010.vtu.bak"}) {
@@ -39,6 +41,7 @@ TEST(OutputFolder, OverwriteRemovesOnlyTheFilesOfARun) {
   prepare_output_folder(scratch.path(), true);
   EXPECT_FALSE(std::filesystem::exists(scratch.path() / "cells_000000010.vtu"));
   EXPECT_FALSE(std::filesystem::exists(scratch.path() / "scene.toml"));
+  EXPECT_FALSE(std::filesystem::exists(scratch.path() / "cells_000000020.vtu.part"));
   for (const char* file : {"notes.txt", "cells_best.vtu", "preview.png", "cells_000000010.vtu.bak"}) {
     EXPECT_TRUE(std::filesystem::exists(scratch.path() / file)) << file;
   }

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cell_shapes.h"
 #include "placement/distance_table.h"
 #include "placement/random.h"
 #include "placement/triangle_distance.h"
-#include "cell_shapes.h"
 
 namespace npfem::flow {
 namespace {
@@ -46,7 +46,8 @@ TEST(DistanceTable, OfASphere) {
   for (int n = 0; n < 2000; ++n) {
     const double r = random.uniform(0.2, 3.0);
     const double distance = table.at(scale(r, random.direction()));
-    // flat faces lie up to 0.005 um inside the sphere, and the kink at the band is rounded by a quarter of a node spacing
+    // flat faces lie up to 0.005 um inside the sphere, and the kink at the band is rounded by a quarter of a node
+    // spacing
     EXPECT_NEAR(distance, std::clamp(r - 2.0, -0.5, 0.5), 0.02) << "r = " << r;
   }
   EXPECT_EQ(table.at({100, 0, 0}), 0.5);
@@ -55,9 +56,9 @@ TEST(DistanceTable, OfASphere) {
 TEST(DistanceTable, KnowsTheDimpleOfARedCell) {
   const CellType cell = testing::red_cell(4);
   const DistanceTable table(cell.shape, cell.triangles, 0.3);
-  EXPECT_LT(table.at({0, 0, 0}), -0.25);       // half the thickness in the middle is 0.4 um
-  EXPECT_GT(table.at({0, 0, 0.9}), 0.25);      // above the dimple, below the rim
-  EXPECT_LT(table.at({2.8, 0, 0.9}), -0.1);    // inside the rim at the same height
+  EXPECT_LT(table.at({0, 0, 0}), -0.25);     // half the thickness in the middle is 0.4 um
+  EXPECT_GT(table.at({0, 0, 0.9}), 0.25);    // above the dimple, below the rim
+  EXPECT_LT(table.at({2.8, 0, 0.9}), -0.1);  // inside the rim at the same height
   EXPECT_NEAR(table.at({0, 3.91, 0}), 0, 0.03);
 }
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <string>
 
+#include "cell_shapes.h"
 #include "geometry/cell_shape.h"
 #include "placement/place_cells.h"
-#include "cell_shapes.h"
 #include "placement/triangle_distance.h"
 
 namespace npfem::flow {
@@ -183,24 +183,39 @@ TEST(PlaceCells, GivenCellsMustBeInsideAndApart) {
             "cell 0 (rbc) at (10, 1, 10) um is outside the walls or across one; move it, or take it out of the list");
   EXPECT_EQ(error_of(between, types, {{0}, {{0, {10, 40, 10}, identity_rotation}}, 0.2, 1}),
             "cell 0 (rbc) at (10, 40, 10) um is outside the walls or across one; move it, or take it out of the list");
-  EXPECT_EQ(error_of(between, types, {{0}, {{0, {10, 8, 10}, identity_rotation}, {0, {14, 8, 10}, identity_rotation}},
-                                      0.2, 1}),
+  EXPECT_EQ(error_of(between, types,
+                     {{0}, {{0, {10, 8, 10}, identity_rotation}, {0, {14, 8, 10}, identity_rotation}}, 0.2, 1}),
             "cell 1 (rbc) at (14, 8, 10) um is overlapping cell 0 (rbc); move it, or take it out of the list");
   // across the periodic face
-  EXPECT_EQ(error_of(between, types, {{0}, {{0, {1, 8, 10}, identity_rotation}, {0, {19, 8, 10}, identity_rotation}},
-                                      0.2, 1}),
+  EXPECT_EQ(error_of(between, types,
+                     {{0}, {{0, {1, 8, 10}, identity_rotation}, {0, {19, 8, 10}, identity_rotation}}, 0.2, 1}),
             "cell 1 (rbc) at (19, 8, 10) um is overlapping cell 0 (rbc); move it, or take it out of the list");
-  EXPECT_EQ(error_of(box(DomainKind::periodic_box, 7, 20, 20), types, {{0}, {{0, {1, 8, 10}, identity_rotation}}, 0.2, 1}),
-            "cell 0 (rbc) at (1, 8, 10) um is overlapping its own periodic image: the box is too small for it; move it, "
-            "or take it out of the list");
+  EXPECT_EQ(
+      error_of(box(DomainKind::periodic_box, 7, 20, 20), types, {{0}, {{0, {1, 8, 10}, identity_rotation}}, 0.2, 1}),
+      "cell 0 (rbc) at (1, 8, 10) um is overlapping its own periodic image: the box is too small for it; move it, "
+      "or take it out of the list");
+}
+
+/// A small cell inside a large one: only the vertices of the small one are inside the other, whichever comes first.
+TEST(PlaceCells, NoCellHidesInsideAnother) {
+  const std::vector<CellType> types{testing::red_cell(), testing::sphere(0.2, 1)};
+  const Domain between = box(DomainKind::plates, 20, 20, 20);
+  const CellStart large{0, {10, 10, 10}, identity_rotation};
+  const CellStart small{1, {12.8, 10, 10}, identity_rotation};
+  EXPECT_EQ(error_of(between, types, {{0, 0}, {large, small}, 0.2, 1}),
+            "cell 1 (sphere) at (12.8, 10, 10) um is overlapping cell 0 (rbc); move it, or take it out of the list");
+  EXPECT_EQ(error_of(between, types, {{0, 0}, {small, large}, 0.2, 1}),
+            "cell 1 (rbc) at (10, 10, 10) um is overlapping cell 0 (sphere); move it, or take it out of the list");
 }
 
 TEST(PlaceCells, SaysWhatItReachedWhereThereIsNoRoom) {
   const std::vector<CellType> types{testing::sphere(2.0)};
   const std::string message = error_of(box(DomainKind::periodic_box, 10, 10, 10), types, {{23}, {}, 0.2, 1});
-  EXPECT_EQ(message.substr(0, 82), "no room for 23 cells (haematocrit 0.753): random placement stopped at haematocrit ") << message;
+  EXPECT_EQ(message.substr(0, 82), "no room for 23 cells (haematocrit 0.753): random placement stopped at haematocrit ")
+      << message;
   EXPECT_NE(message.find("lower the haematocrit or placement.gap (now 0.2 um), or take a larger domain"),
-            std::string::npos) << message;
+            std::string::npos)
+      << message;
 }
 
 }  // namespace

@@ -23,12 +23,14 @@ std::string error_of(const std::string& text, const std::vector<std::string>& as
 
 struct BadScene {
   const char* name;
-  const char* old;          // of shear_scene
+  const char* old;  // of shear_scene
   const char* replacement;
   const char* message;
 };
 
-void PrintTo(const BadScene& scene, std::ostream* out) { *out << scene.name; }
+void PrintTo(const BadScene& scene, std::ostream* out) {
+  *out << scene.name;
+}
 
 class BadScenes : public ::testing::TestWithParam<BadScene> {};
 
@@ -44,7 +46,8 @@ const BadScene wrong_words[] = {
      "scene.toml:19:1: unknown key \"lvel\" in [cells[0]]; did you mean \"level\"? known keys: count, haematocrit, "
      "level, material, mesh, name, positions, ratio, ratio_to"},
     {"MisspeltSection", "[run]", "[rum]\nsteps = 1\n[run]",
-     "scene.toml:22:2: unknown key \"rum\" at the top level; did you mean \"run\"? known keys: cells, coupling, domain, "
+     "scene.toml:22:2: unknown key \"rum\" at the top level; did you mean \"run\"? known keys: cells, coupling, "
+     "domain, "
      "flow, fluid, output, placement, repulsion, run, schema_version, solver, title"},
     {"MisspeltWord", "\"shear_box\"", "\"shearbox\"",
      "scene.toml:5:8: domain.kind: unknown word \"shearbox\"; did you mean \"shear_box\"? allowed: tube, shear_box, "
@@ -53,8 +56,7 @@ const BadScene wrong_words[] = {
      "scene.toml:23:9: Error while parsing value: could not determine value type"},
     {"Version", "schema_version = 1", "schema_version = 2",
      "scene.toml:1:18: schema_version: this program reads version 1 only"},
-    {"NoVersion", "schema_version = 1", "",
-     "scene.toml:1:1: missing key \"schema_version\": an integer is needed"},
+    {"NoVersion", "schema_version = 1", "", "scene.toml:1:1: missing key \"schema_version\": an integer is needed"},
 };
 
 const BadScene wrong_numbers[] = {
@@ -98,8 +100,7 @@ const BadScene wrong_numbers[] = {
 const BadScene wrong_choices[] = {
     {"TwoViscosities", "time_step", "kinematic_viscosity = \"1 mm2/s\"\ntime_step",
      "scene.toml:10:21: fluid.dynamic_viscosity: \"kinematic_viscosity\" is given too; give only one of them"},
-    {"NoTimeStep", "time_step = \"0.1 us\"", "",
-     "scene.toml:9:1: fluid: one of \"time_step\" or \"tau\" is needed"},
+    {"NoTimeStep", "time_step = \"0.1 us\"", "", "scene.toml:9:1: fluid: one of \"time_step\" or \"tau\" is needed"},
     {"NoShearRate", "shear_rate = \"1000 1/s\"", "",
      "scene.toml:13:1: missing key \"flow.shear_rate\": a rate, like \"1 1/s\" is needed"},
     {"DriveOfAnotherKind", "shear_rate = \"1000 1/s\"", "mean_velocity = \"1 mm/s\"",
@@ -110,8 +111,8 @@ const BadScene wrong_choices[] = {
      "plates or tube"},
     {"TubeWithASize", "\"shear_box\"", "\"tube\"",
      "scene.toml:6:8: domain.size: a tube has \"diameter\" and \"length\" instead"},
-    {"BoxWithADiameter", "dx = ", "diameter = \"3 um\"\ndx = ",
-     "scene.toml:7:12: domain.diameter: only a tube has this; give \"size\""},
+    {"BoxWithADiameter",
+     "dx = ", "diameter = \"3 um\"\ndx = ", "scene.toml:7:12: domain.diameter: only a tube has this; give \"size\""},
     {"NoNumberOfCells", "count = 1", "",
      "scene.toml:16:1: cells[0]: one of \"haematocrit\", \"count\", \"ratio\" or \"positions\" is needed"},
     {"TwoNumbersOfCells", "count = 1", "count = 1\nhaematocrit = 0.1",

@@ -57,8 +57,8 @@ TEST(MakeCells, HaematocritIsMetWithinHalfACell) {
 TEST(MakeCells, RatioCountsCellsOfAnotherType) {
   const std::string platelets =
       "[[cells]]\nname = \"platelet\"\nmaterial = \"platelet\"\nlevel = 2\nratio = 0.5\nratio_to = \"rbc\"\n[run]";
-  const Scene scene = made(with(with(with(shear_scene, "count = 1", "count = 4"), "[run]", platelets), "\"10 um\"]",
-                                "\"20 um\"]"));
+  const Scene scene =
+      made(with(with(with(shear_scene, "count = 1", "count = 4"), "[run]", platelets), "\"10 um\"]", "\"20 um\"]"));
   EXPECT_EQ(cell_counts(scene), (std::vector<int>{4, 2}));
   ASSERT_EQ(scene.setup.cells.size(), 6u);
   for (std::size_t n = 0; n < 6; ++n) EXPECT_EQ(scene.setup.cells[n].type, n < 4 ? 0 : 1);
@@ -94,17 +94,18 @@ TEST(MakeCells, NamesCellsThatCannotStandWhereTheyAre) {
                           "\"5 um\"]}]")),
             "scene.toml:21:2: cells[0].positions[1]: cell 1 (rbc) at (9, 6, 5) um is overlapping cell 0 (rbc); move "
             "it, or take it out of the list");
-  EXPECT_EQ(error_of(with(shear_scene, "count = 1",
-                          "positions = [{centre = [\"7 um\", \"11.5 um\", \"5 um\"]}]")),
+  EXPECT_EQ(error_of(with(shear_scene, "count = 1", "positions = [{centre = [\"7 um\", \"11.5 um\", \"5 um\"]}]")),
             "scene.toml:20:14: cells[0].positions[0]: cell 0 (rbc) at (7, 11.5, 5) um is outside the walls or across "
             "one; move it, or take it out of the list");
 }
 
 TEST(MakeCells, SaysWhichHaematocritCannotBeReached) {
   const std::string message = error_of(with(shear_scene, "count = 1", "haematocrit = 0.9"));
-  EXPECT_TRUE(message.starts_with("scene.toml: placement: no room for 19 cells (haematocrit 0.")) << message;
+  EXPECT_TRUE(message.starts_with("scene.toml: placement: no room for ")) << message;
+  EXPECT_NE(message.find(" cells (haematocrit 0.9"), std::string::npos) << message;
   EXPECT_NE(message.find("lower the haematocrit or placement.gap (now 0.3 um), or take a larger domain"),
-            std::string::npos) << message;
+            std::string::npos)
+      << message;
 }
 
 }  // namespace

@@ -61,8 +61,8 @@ TEST(ReadScene, DrivesThePlainFluidAtTheVelocityAskedFor) {
   const Scene by_pressure = parsed(with(tube, "DRIVE", "pressure_gradient = \"0.96 MPa/m\""));
   EXPECT_NEAR(by_pressure.setup.body_force[2], 0.96, 1e-12);
 
-  const Scene plates = parsed(with(with(shear_scene, "shear_box", "plates"), "shear_rate = \"1000 1/s\"",
-                                   "mean_velocity = \"6 mm/s\""));
+  const Scene plates =
+      parsed(with(with(shear_scene, "shear_box", "plates"), "shear_rate = \"1000 1/s\"", "mean_velocity = \"6 mm/s\""));
   EXPECT_NEAR(plates.setup.body_force[0], 12 * 1200.0 * 0.006 / 144, 1e-12);
   EXPECT_NEAR(plates.largest_velocity, 0.009, 1e-15);
 }

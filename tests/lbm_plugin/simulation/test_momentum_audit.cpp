@@ -24,7 +24,9 @@ struct Case {
   int kernel_points;
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.name;
+}
 
 flow::Setup with_coupling(flow::Setup setup, const Case& c) {
   setup.coupling = {c.scheme, c.kernel_points, c.steps_per_solve};
@@ -75,11 +77,12 @@ TEST_P(MomentumAuditTest, ClosesBetweenWalls) {
 
 TEST(MomentumAudit, CountsTheMassOfTheCells) {
   for (const int every : {1, 3}) {
-    flow::Setup setup = with_coupling(capsules::fluid(DomainKind::shear_box, {14, 12, 12}, 0.8),
-                                      {"", Scheme::implicit, every, 4});
+    flow::Setup setup =
+        with_coupling(capsules::fluid(DomainKind::shear_box, {14, 12, 12}, 0.8), {"", Scheme::implicit, every, 4});
     setup.domain.plate_speed = 0.05;
     setup.start_developed = true;
-    setup.types = {capsules::capsule("sphere", 2, 3.0, capsules::neo_hookean(0.01) + "membrane_density = \"0.3 fg/um2\"")};
+    setup.types = {
+        capsules::capsule("sphere", 2, 3.0, capsules::neo_hookean(0.01) + "membrane_density = \"0.3 fg/um2\"")};
     capsules::place(setup, 0, {7, 4.5, 6});
     EXPECT_LT(error_after(setup, 600), kBound) << "every " << every;
   }

@@ -198,7 +198,8 @@ TEST(Simulation, RefusesMassiveCellsInTheExplicitCoupling) {
   SerialCommunicator self;
   flow::Setup setup = two_cells_in_shear();
   setup.coupling.scheme = CouplingScheme::peskin;
-  setup.types[0] = capsules::capsule("sphere", 2, 3.0, capsules::neo_hookean(0.02) + "membrane_density = \"0.1 fg/um2\"");
+  setup.types[0] =
+      capsules::capsule("sphere", 2, 3.0, capsules::neo_hookean(0.02) + "membrane_density = \"0.1 fg/um2\"");
   EXPECT_THROW(Simulation(setup, self), std::invalid_argument);
 }
 

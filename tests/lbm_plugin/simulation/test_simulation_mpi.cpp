@@ -68,13 +68,17 @@ void expect_same_as_alone(const flow::Setup& setup, int steps, bool expect_migra
   EXPECT_TRUE(moved || !expect_migration || world().size() == 1) << "no cell has changed its owner: the test is weak";
 }
 
-TEST(SameBits, InAShearBox) { expect_same_as_alone(scene(DomainKind::shear_box, CouplingScheme::implicit, 1), 120, false); }
+TEST(SameBits, InAShearBox) {
+  expect_same_as_alone(scene(DomainKind::shear_box, CouplingScheme::implicit, 1), 120, false);
+}
 
 TEST(SameBits, InAPeriodicBox) {
   expect_same_as_alone(scene(DomainKind::periodic_box, CouplingScheme::implicit, 3), 150, true);
 }
 
-TEST(SameBits, InATube) { expect_same_as_alone(scene(DomainKind::tube, CouplingScheme::implicit, 1), 80, false); }
+TEST(SameBits, InATube) {
+  expect_same_as_alone(scene(DomainKind::tube, CouplingScheme::implicit, 1), 80, false);
+}
 
 TEST(SameBits, WithTheExplicitCoupling) {
   expect_same_as_alone(scene(DomainKind::periodic_box, CouplingScheme::peskin, 2), 150, true);

@@ -66,6 +66,8 @@ inline Setup fluid(DomainKind kind, const std::array<int, 3>& nodes, double tau)
   return setup;
 }
 
-inline void place(Setup& setup, int type, const Vec3& centre) { setup.cells.push_back({type, centre, kUpright}); }
+inline void place(Setup& setup, int type, const Vec3& centre) {
+  setup.cells.push_back({type, centre, kUpright});
+}
 
 }  // namespace capsules

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: MPL-2.0
+"""The other verbs, and how verbs are found."""
+import json
+import os
+import stat
+
+
+def test_version_and_help(program):
+    assert program("version").stdout.startswith("npfem 0.")
+    help_text = program("--help")
+    assert help_text.returncode == 0
+    for verb in ("run", "plan", "validate", "mesh", "inspect", "keys", "version", "stretch"):
+        assert verb in help_text.stdout
+
+
+def test_wrong_arguments_are_bad_input(program, scene):
+    assert program().returncode == 2
+    assert program("run", scene).returncode == 2  # no output folder
+    assert program("plan", scene, "--no-such-option").returncode == 2
+
+
+def test_unknown_verb_names_the_nearest(program):
+    result = program("vaildate")
+    assert result.returncode == 2
+    assert result.stderr.startswith('npfem: unknown verb "vaildate"; did you mean "validate"?')
+
+
+def test_a_program_on_the_path_is_a_verb(program, tmp_path):
+    script = tmp_path / "npfem-hello"
+    script.write_text('#!/bin/sh\necho "hello $1"\nexit 7\n')
+    script.chmod(script.stat().st_mode | stat.S_IXUSR)
+    result = program("hello", "world", env=dict(os.environ, PATH="%s:%s" % (tmp_path, os.environ["PATH"])))
+    assert result.returncode == 7 and result.stdout == "hello world\n"
+
+
+def test_verbs_written_in_python(program):
+    result = program("stretch", "--help")
+    assert result.returncode == 0 and "--force" in result.stdout
+
+
+def test_plan_says_what_is_active(program, scene):
+    text = program("plan", scene)
+    assert text.returncode == 0
+    for word in ("shear_box", "2 x rbc", "implicit, 4-point kernel", "kappa_shear rbc", "MB fluid", "s per step"):
+        assert word in text.stdout
+    plan = json.loads(program("plan", scene, "--json").stdout)
+    assert plan["domain"]["fluid_nodes"] == 24 * 20 * 20
+    assert [cells["cells"] for cells in plan["cells"]] == [2, 1]
+    assert plan["repulsion"] == {"between_cells": True, "from_walls": True}
+    assert {limit["name"] for limit in plan["limits"]} >= {"tau", "Ma", "gdot_T", "kappa_shear rbc"}
+    no_cells = json.loads(program("plan", scene, "--json", "--set", "cells[0].count=0", "--set",
+                                  "cells[1].count=0").stdout)
+    assert no_cells["coupling"]["active"] is False
+
+
+def test_validate(program, scene):
+    assert "valid; 3 cells placed" in program("validate", scene).stdout
+    valid = json.loads(program("validate", scene, "--json").stdout)
+    assert valid["valid"] is True and valid["cells"] == 3
+    bad = program("validate", scene, "--json", "--set", "domain.dx=0.7 um")
+    assert bad.returncode == 2
+    refused = json.loads(bad.stdout)
+    assert refused["valid"] is False and "not a whole number of node spacings" in refused["error"]
+    coarse = program("validate", scene, "--set", "fluid.time_step=1 us")
+    assert coarse.returncode == 0 and "bounds exceeded" in coarse.stdout
+
+
+def test_mesh_makes_and_checks(program, tmp_path):
+    path = tmp_path / "rbc.off"
+    made = program("mesh", "rbc", "--level", "3", "-o", path)
+    assert made.returncode == 0 and "258 vertices, 512 triangles" in made.stdout
+    checked = program("mesh", "check", path)
+    assert checked.returncode == 0 and "closed" in checked.stdout
+    lines = path.read_text().splitlines()
+    path.write_text("\n".join(lines[:-1]).replace("258 512", "258 511") + "\n")
+    open_mesh = program("mesh", "check", path)
+    assert open_mesh.returncode == 2 and "rbc.off" in open_mesh.stderr
+    assert program("mesh", "rcb").returncode == 2
+    sized = program("mesh", "sphere", "--size", "4 um")
+    assert "extents 4 x 4 x 4 um" in sized.stdout
+    assert program("mesh", "sphere", "--size", "4").returncode == 2
+
+
+def test_inspect(program, scene, tmp_path):
+    assert "shear_modulus" in program("inspect", "rbc").stdout
+    assert "scene" in program("inspect", scene).stdout
+    path = tmp_path / "ball.stl"
+    program("mesh", "sphere", "--level", "2", "-o", path)
+    assert "66 vertices" in program("inspect", path).stdout
+    unknown = program("inspect", "rcb")
+    assert unknown.returncode == 2 and 'did you mean "rbc"?' in unknown.stderr
+
+
+def test_keys_prints_the_reference(program):
+    page = program("keys").stdout
+    assert page.startswith("# Scene files") and "`shear_rate`" in page
