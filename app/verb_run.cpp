@@ -93,8 +93,8 @@ void write_summary(Session& session, const std::string& path, const std::string&
 
 void name_failures(const flow::Summary& s) {
   if (s.fluid_failed) {
-    std::cerr << "npfem: the fluid is not finite any more after step " << s.steps
-              << "; npfem plan says which bound the scene exceeds\n";
+    std::cerr << "npfem: after step " << s.steps
+              << " the fluid is no longer finite: the flow is too fast for this relaxation time; take a finer dx\n";
   }
   for (const flow::CellFailure& failure : s.failures) {
     std::cerr << "npfem: cell " << failure.id << " (" << s.cell_types[static_cast<std::size_t>(failure.type)]

@@ -156,6 +156,28 @@ def test_a_cell_that_cannot_be_solved_is_named(program, scene, tmp_path):
     assert (folder / ("cells_%09d.vtu" % summary["steps"])).exists(), "the last state is saved"
 
 
+def test_a_fluid_that_blows_up_is_unstable(program, scene, tmp_path):
+    scene.write_text("""schema_version = 1
+[domain]
+kind = "tube"
+diameter = "6 um"
+length = "4 um"
+dx = "0.5 um"
+[fluid]
+kinematic_viscosity = "1e-6 m2/s"
+tau = 0.5005
+[flow]
+centre_velocity = "2000 m/s"
+start = "developed"
+[run]
+steps = 10000
+""")
+    result = program("run", scene, "-o", tmp_path / "out", "--quiet")
+    assert result.returncode == 3 and "the fluid is no longer finite" in result.stderr
+    summary = summary_of(tmp_path / "out")
+    assert summary["fluid_failed"] is True and summary["steps"] < 10000
+
+
 def test_a_signal_ends_the_run_in_order(scene, tmp_path):
     folder = tmp_path / "out"
     run = subprocess.Popen([os.environ["NPFEM_PROGRAM"], "run", str(scene), "-o", str(folder), "--set",

@@ -31,8 +31,8 @@ TEST(OutputFolder, KeepsWhatIsInIt) {
 
 TEST(OutputFolder, OverwriteRemovesOnlyTheFilesOfARun) {
   const ScratchFolder scratch("output_overwrite");
-  for (const char* file :
-       {"cells_000000010.vtu", "fluid_000000010.vti", "cells.pvd", "cells.csv", "summary.json", "scene.toml", "cells_000000020.vtu.part"}) {
+  for (const char* file : {"cells_000000010.vtu", "fluid_000000010.vti", "cells.pvd", "cells.csv", "summary.json",
+                           "scene.toml", "cells_000000020.vtu.part"}) {
     put(scratch.path() / file);
   }
   for (const char* file : {"notes.txt", "cells_best.vtu", "preview.png", "cells_000000010.vtu.bak"}) {
