@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 // The npfem program.
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <new>
 #include <utility>
@@ -8,7 +9,9 @@
 
 #include "external_verb.h"
 #include "file.h"
+#include "lattice/threads.h"
 #include "nearest.h"
+#include "npfem/npfem.hpp"
 #include "quantity.h"
 #include "session.h"
 
@@ -99,6 +102,7 @@ int run_program(int argc, char** argv) {
   CLI::App program{"Deformable blood cells in a flowing fluid."};
   program.name("npfem");
   program.require_subcommand(1);
+  program.set_version_flag("--version", "npfem " + api::text_of([](char* b, std::int32_t n) { return npfem_version(b, n); }));
   program.footer(python_help());
   const std::vector<Verb> verbs = add_verbs(program);
 
@@ -107,6 +111,8 @@ int run_program(int argc, char** argv) {
     std::cerr << "npfem: " << unknown_verb(argv[1], verbs) << "\n";
     return bad_input;
   }
+  // Ranks share the cores between them; threads on top of them only where the user asks for some.
+  if (std::getenv("OMP_NUM_THREADS") == nullptr) flow::set_lattice_threads(1);
   const std::unique_ptr<flow::Communicator> communicator = make_communicator(&argc, &argv);
   Session session{*communicator};
   return guarded(session, [&] { return carry_out(program, verbs, session, argc, argv); });

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 // npfem run: a scene from its first step to its last.
+#include <cmath>
+#include <filesystem>
 #include <cstdio>
 #include <iostream>
 #include <optional>
@@ -39,6 +41,11 @@ flow::Scene load(Session& session, const SceneOptions& options) {
 
 void prepare_folder(Session& session, const RunOptions& options, flow::Scene& scene) {
   on_first_rank(session, [&] {
+    std::error_code error;
+    if (std::filesystem::equivalent(std::filesystem::absolute(options.scene.path).parent_path(), options.folder, error)) {
+      throw text::FileError("output folder \"" + options.folder + "\" is the one the scene lies in; the run would " +
+                            "replace it by the resolved scene; choose another folder");
+    }
     flow::prepare_output_folder(options.folder, options.overwrite);
     text::write_file(options.folder + "/scene.toml", flow::resolved_text(scene));
   });
@@ -72,7 +79,8 @@ double advance(Session& session, const RunOptions& options, const flow::Scene& s
 void print(const flow::Summary& s, const std::string& folder) {
   std::printf("%lld steps, %.6g us, %.1f s: %.3g MLUPS, %.4g cell-steps/s\n", static_cast<long long>(s.steps),
               s.time_us, s.wall_s, s.mlups, s.cell_steps_per_s);
-  std::printf("%d cells, haematocrit %.4f, least gap %.3g um\n", s.cells, s.haematocrit, s.minimum_gap_um);
+  std::printf("%d cells, haematocrit %.4f, least gap ", s.cells, s.haematocrit);
+  std::printf(std::isfinite(s.minimum_gap_um) ? "%.3g um\n" : "none\n", s.minimum_gap_um);
   std::printf("errors: momentum %.2g, volume %.2g, residual %.2g pN\n", s.momentum_error, s.volume_error,
               s.worst_residual_pN);
   std::printf("state %016llx, output in %s\n", static_cast<unsigned long long>(s.state_hash), folder.c_str());

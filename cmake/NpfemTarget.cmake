@@ -6,8 +6,7 @@ function(npfem_target target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF C_EXTENSIONS OFF
                         CXX_VISIBILITY_PRESET hidden C_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_compile_options(${target} PRIVATE
-    -Wall -Wextra -Wpedantic -Wshadow
-    $<$<COMPILE_LANGUAGE:CXX>:-Wconversion>
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion
     # One input gives one bit pattern, vectorised or not: a multiply and an add are never fused behind our back.
     -ffp-contract=off)
   if(NPFEM_WERROR)

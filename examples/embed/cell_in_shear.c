@@ -65,7 +65,7 @@ int main(void) {
   double* area = allocate(n);
   double* mass = allocate(n);
 
-  /* the cell at rest, turned on its side: its axis along y becomes the one across the flow */
+  /* the cell at rest, its axis tilted from z towards y, across the flow */
   check(npfem_batch_relax(cell));
   check(npfem_batch_get(cell, "position", 0, 1, position, 3 * n));
   for (int32_t v = 0; v < n; ++v) {

@@ -204,11 +204,10 @@ CellStepReport CellPopulation::step() {
     for (std::size_t slot = 0; slot < its.ids.size(); ++slot) {
       ++report.cell_steps;
       report.iterations += iterations[slot];
+      report.worst_residual = std::max(report.worst_residual, residual[slot]);
       if (status[slot] >= NPFEM_CELL_NOT_FINITE) {
         report.failures.push_back(
             {its.ids[slot], static_cast<int>(type), its.batch.status_text(static_cast<int>(slot))});
-      } else {
-        report.worst_residual = std::max(report.worst_residual, residual[slot]);
       }
     }
   }

@@ -33,6 +33,13 @@ bool written_by_a_run(std::string file) {
 
 void remove_earlier_run(const std::filesystem::path& folder) {
   std::error_code error;
+  // The mark of a run: without it, files of these names are somebody else's.
+  const auto has = [&](const char* file) { return std::filesystem::exists(folder / file, error); };
+  if (!has("cells.pvd") && !has("fluid.pvd") && !has("summary.json")) {
+    if (std::filesystem::is_empty(folder, error)) return;
+    throw text::FileError("output folder \"" + folder.string() +
+                          "\" holds files but no run that could be replaced; choose another folder");
+  }
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     const std::filesystem::path file = entry.path();
     if (!written_by_a_run(file.filename().string())) continue;

@@ -73,6 +73,12 @@ std::vector<int> cell_counts(const Scene& scene) {
     if (request.ratio) count = *request.ratio * counts[static_cast<std::size_t>(request.ratio_to)];
     if (count > 1e7) request.table.fail("asks for more than ten million cells");
     counts.push_back(static_cast<int>(std::lround(count)));
+    if (request.haematocrit && *request.haematocrit > 0 && counts.back() == 0) {
+      const double one = volume_of(scene.setup.types[type]) / volume;
+      request.table.fail("haematocrit", text::format_number(*request.haematocrit) +
+                                            " is less than half a cell in this domain; one cell is a haematocrit of " +
+                                            text::format_number(one));
+    }
   }
   return counts;
 }

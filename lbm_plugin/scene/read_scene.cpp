@@ -41,7 +41,7 @@ RepulsionSettings read_repulsion(const Table& table, const Key& range, const Key
   const RepulsionSettings repulsion{table.has(range) ? table.quantity(range) : dx, table.quantity(strength)};
   if (repulsion.range > 2 * dx) {
     table.fail(range.name, format_quantity(repulsion.range, "um") + " is more than two node spacings (" +
-                               format_quantity(2 * dx, "um") + "), the farthest that is looked");
+                               format_quantity(2 * dx, "um") + "), the largest range supported");
   }
   return repulsion;
 }

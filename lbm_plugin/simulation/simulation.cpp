@@ -96,6 +96,7 @@ void Simulation::State::start() {
   audit.hold(lattice, {}, 0);
   if (!setup.cells.empty()) {
     coupling = Coupling::create({setup, units, cells, fluid, lattice, audit});
+    const Stopwatch watch(coupling_seconds);
     coupling->hold_present_forces();
   }
   audit.start(lattice);

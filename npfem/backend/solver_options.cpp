@@ -3,12 +3,12 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <vector>
 
 #include "error.h"
 #include "nearest.h"
+#include "quantity.h"
 
 namespace npfem {
 namespace {
@@ -20,8 +20,10 @@ constexpr std::array<OptionInfo, 14> table{{
     {"time_step", "us", "time step of the cell solver", 1e-9, 1e12, &S::time_step},
     {"tolerance", "pN", "largest component of the residual force at which a cell has converged", 0, infinity,
      &S::tolerance},
-    {"residual_bound", "pN", "at the iteration cap, a smaller residual is a warning and a larger one a failure", 0,
-     infinity, &S::residual_bound},
+    {"residual_bound", "pN",
+     "at the iteration cap, a smaller residual is a warning and a larger one a "
+     "failure",
+     0, infinity, &S::residual_bound},
     {"max_iterations", "1", "iterations allowed in a step", 1, 1e9, &S::max_iterations},
     {"relax_iterations", "1", "iterations allowed in a static solve", 1, 1e9, &S::relax_iterations},
     {"history", "1", "pairs of steps and gradients kept by L-BFGS; 0 is plain quasi-Newton", 0, 1000, &S::history},
@@ -43,24 +45,14 @@ const OptionInfo& find(std::string_view key) {
     if (key == option.key) return option;
     keys.emplace_back(option.key);
   }
-  throw Error(Status::unknown_name,
-              "no option \"" + std::string(key) + "\"" + text::suggestion(key, keys));
-}
-
-std::string as_text(double value) {
-  std::string digits = std::to_string(value);
-  if (std::isinf(value)) return "infinity";
-  if (std::abs(value) >= 1e7 || (value != 0 && std::abs(value) < 1e-3)) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%g", value);
-    digits = buffer;
-  }
-  return digits;
+  throw Error(Status::unknown_name, "no option \"" + std::string(key) + "\"" + text::suggestion(key, keys));
 }
 
 }  // namespace
 
-std::span<const OptionInfo> solver_options() { return table; }
+std::span<const OptionInfo> solver_options() {
+  return table;
+}
 
 double get_option(const SolverOptions& options, std::string_view key) {
   return std::visit([&](auto member) { return static_cast<double>(options.*member); }, find(key).member);
@@ -70,12 +62,14 @@ void set_option(SolverOptions& options, std::string_view key, double value) {
   const OptionInfo& option = find(key);
   const bool whole = std::holds_alternative<int SolverOptions::*>(option.member);
   if (!(value >= option.least && value <= option.largest) || (whole && value != std::floor(value))) {
-    throw Error(Status::bad_input, "option \"" + std::string(key) + "\" = " + as_text(value) + " " + option.unit +
-                                       ": allowed are " + (whole ? "whole " : "") + "numbers from " +
-                                       as_text(option.least) + " to " + as_text(option.largest));
+    throw Error(Status::bad_input, "option \"" + std::string(key) + "\" = " + text::format_number(value) + " " +
+                                       option.unit + ": allowed are " + (whole ? "whole " : "") + "numbers from " +
+                                       text::format_number(option.least) + " to " +
+                                       text::format_number(option.largest));
   }
-  std::visit([&](auto member) { options.*member = static_cast<std::remove_reference_t<decltype(options.*member)>>(value); },
-             option.member);
+  std::visit(
+      [&](auto member) { options.*member = static_cast<std::remove_reference_t<decltype(options.*member)>>(value); },
+      option.member);
 }
 
 }  // namespace npfem

@@ -2,21 +2,22 @@
 #include "batch/batch.h"
 
 #include <array>
+#include <charconv>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "batch/measure.h"
 #include "batch/state_hash.h"
 #include "error.h"
 #include "nearest.h"
+#include "quantity.h"
 
 namespace npfem {
 namespace {
 
-constexpr std::array<const char*, 7> field_names{"position",         "velocity",     "external_force", "ambient_velocity",
-                                                 "ambient_mass",     "held_force",   "elastic_force"};
+constexpr std::array<const char*, 7> field_names{"position",     "velocity",   "external_force", "ambient_velocity",
+                                                 "ambient_mass", "held_force", "elastic_force"};
 /// What a cell carries from step to step, in the order in which it is packed.
 constexpr std::array<Field, 6> state_fields{Field::position,         Field::velocity,     Field::external_force,
                                             Field::ambient_velocity, Field::ambient_mass, Field::held_force};
@@ -24,6 +25,14 @@ constexpr std::array<Field, 6> state_fields{Field::position,         Field::velo
 std::size_t size_of(Field field, int vertices, int cells = 1) {
   return static_cast<std::size_t>(components(field)) * static_cast<std::size_t>(vertices) *
          static_cast<std::size_t>(cells);
+}
+
+/// Three digits, whatever the locale.
+std::string three_digits(double value) {
+  std::array<char, 32> digits;
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 3).ptr;
+  return {digits.data(), end};
 }
 
 }  // namespace
@@ -77,7 +86,9 @@ void Batch::write(Field field, int first, int count, std::span<const double> val
   require_cells(first, count);
   const std::string name = field_names[static_cast<std::size_t>(field)];
   if (field == Field::elastic_force) {
-    throw Error(Status::bad_argument, "field \"elastic_force\" is computed and cannot be written; loads are external_force");
+    throw Error(Status::bad_argument,
+                "field \"elastic_force\" is computed and cannot be written; "
+                "loads are external_force");
   }
   require_length(values.size(), size_of(field, model_->num_vertices(), count), "field \"" + name + "\"");
   if (field == Field::position) energies_are_current_ = false;
@@ -85,7 +96,7 @@ void Batch::write(Field field, int first, int count, std::span<const double> val
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i]) || (field == Field::ambient_mass && values[i] < 0)) {
       const std::size_t vertex = (i % per_cell) / static_cast<std::size_t>(components(field));
-      throw Error(Status::bad_input, "field \"" + name + "\": found " + std::to_string(values[i]) + " at vertex " +
+      throw Error(Status::bad_input, "field \"" + name + "\": found " + text::format_number(values[i]) + " at vertex " +
                                          std::to_string(vertex) + " of cell " +
                                          std::to_string(static_cast<std::size_t>(first) + i / per_cell) +
                                          "; allowed are finite " +
@@ -110,7 +121,8 @@ void Batch::read(Field field, int first, int count, std::span<double> values) co
 void Batch::add_patch(std::span<const int> vertices, double stiffness) {
   if (vertices.size() < 2) throw Error(Status::bad_argument, "a patch needs at least 2 vertices");
   if (!(stiffness > 0) || !std::isfinite(stiffness)) {
-    throw Error(Status::bad_input, "patch stiffness " + std::to_string(stiffness) + " pN/um: allowed are finite numbers above 0");
+    throw Error(Status::bad_input,
+                "patch stiffness " + text::format_number(stiffness) + " pN/um: allowed are finite numbers above 0");
   }
   std::vector<char> seen(static_cast<std::size_t>(model_->num_vertices()), 0);
   for (const int v : vertices) {
@@ -137,10 +149,11 @@ void Batch::require_masses() const {
     backend_->read(Field::ambient_mass, c, ambient);
     for (std::size_t i = 0; i < ambient.size(); ++i) {
       if (!(ambient[i] + model_->solid_mass[i] > 0)) {
-        throw Error(Status::wrong_order,
-                    "vertex " + std::to_string(i) + " of cell " + std::to_string(c) +
-                        " has no mass: give the material a membrane_density or solid_density, set the field "
-                        "\"ambient_mass\" (a surrounding fluid), or use relax for a static equilibrium");
+        throw Error(Status::wrong_order, "vertex " + std::to_string(i) + " of cell " + std::to_string(c) +
+                                             " has no mass: give the material a membrane_density or "
+                                             "solid_density, set the field "
+                                             "\"ambient_mass\" (a surrounding fluid), or use relax "
+                                             "for a static equilibrium");
       }
     }
   }
@@ -166,7 +179,7 @@ int Batch::step(int steps) {
 
 int Batch::step_for_ms(double milliseconds, int& steps_done) {
   if (!(milliseconds >= 0)) {
-    throw Error(Status::bad_argument, std::to_string(milliseconds) + " ms asked for; allowed: 0 or more");
+    throw Error(Status::bad_argument, text::format_number(milliseconds) + " ms asked for; allowed: 0 or more");
   }
   require_masses();
   stop_.store(false, std::memory_order_relaxed);
@@ -204,16 +217,24 @@ std::string Batch::status_text(int cell) const {
   const CellReport r = report(cell);
   const char* outcome = "";
   switch (r.status) {
-    case CellStatus::converged: outcome = "converged"; break;
-    case CellStatus::iteration_cap: outcome = "stopped short of the tolerance, within residual_bound"; break;
-    case CellStatus::not_finite: outcome = "failed: forces or energies are not finite"; break;
-    case CellStatus::no_descent: outcome = "failed: no step lowers the objective"; break;
-    case CellStatus::not_converged: outcome = "failed: iteration cap with a residual above residual_bound"; break;
+    case CellStatus::converged:
+      outcome = "converged";
+      break;
+    case CellStatus::iteration_cap:
+      outcome = "stopped short of the tolerance, within residual_bound";
+      break;
+    case CellStatus::not_finite:
+      outcome = "failed: forces or energies are not finite";
+      break;
+    case CellStatus::no_descent:
+      outcome = "failed: no step lowers the objective";
+      break;
+    case CellStatus::not_converged:
+      outcome = "failed: iteration cap with a residual above residual_bound";
+      break;
   }
-  std::array<char, 256> buffer;
-  std::snprintf(buffer.data(), buffer.size(), "cell %d %s; residual %.3g pN, tolerance %.3g, after %d iterations", cell,
-                outcome, r.residual, r.tolerance, r.iterations);
-  return buffer.data();
+  return "cell " + std::to_string(cell) + " " + outcome + "; residual " + three_digits(r.residual) + " pN, tolerance " +
+         three_digits(r.tolerance) + ", after " + std::to_string(r.iterations) + " iterations";
 }
 
 std::vector<double> Batch::field_of(Field field, int cell) const {
@@ -226,7 +247,8 @@ double Batch::measure(std::string_view key, int cell) const {
   require_cells(cell, 1);
   if (key.substr(0, 6) == "energy" && !energies_are_current_) {
     throw Error(Status::wrong_order, "measure \"" + std::string(key) +
-                                         "\": the cells have moved since energies were evaluated; evaluate first");
+                                         "\": the cells have moved since energies were evaluated; "
+                                         "evaluate first");
   }
   if (key.substr(0, 6) == "energy") return measure_energy(*model_, key, backend_->energies(cell));
   return measure_shape(*model_, key, field_of(Field::position, cell));

@@ -8,6 +8,7 @@
 #include "error.h"
 #include "mesh/geometry.h"
 #include "nearest.h"
+#include "quantity.h"
 
 namespace npfem {
 
@@ -52,7 +53,7 @@ void require_balanced(std::span<const double> force, int cell) {
     }
     if (std::abs(sum) > 1e-9 * magnitude) {
       throw Error(Status::bad_input, "external forces of cell " + std::to_string(cell) + " add up to " +
-                                         std::to_string(sum) + " pN along " + "xyz"[axis] +
+                                         text::format_number(sum) + " pN along " + "xyz"[axis] +
                                          "; a static equilibrium needs forces that balance");
     }
   }

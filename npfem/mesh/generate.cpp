@@ -9,6 +9,7 @@
 #include "error.h"
 #include "mesh/point_math.h"
 #include "nearest.h"
+#include "quantity.h"
 
 namespace npfem {
 namespace {
@@ -72,7 +73,8 @@ TriangleMesh subdivided_sphere(TriangleMesh mesh, int level) {
   if (level < 0 || level > max_mesh_level) {
     throw Error(Status::bad_input, "mesh level " + std::to_string(level) + " is outside 0 to " +
                                        std::to_string(max_mesh_level) +
-                                       " (a red cell of level 3 has 258 vertices, each level four times more)");
+                                       " (a red cell of level 3 has 258 "
+                                       "vertices, each level four times more)");
   }
   project_to_unit_sphere(mesh);
   for (int i = 0; i < level; ++i) {
@@ -84,7 +86,7 @@ TriangleMesh subdivided_sphere(TriangleMesh mesh, int level) {
 
 void require_size(double size_um, const char* what) {
   if (size_um > 0 && size_um <= largest_diameter) return;
-  throw Error(Status::bad_input, std::string("the ") + what + " of the mesh is " + std::to_string(size_um) +
+  throw Error(Status::bad_input, std::string("the ") + what + " of the mesh is " + text::format_number(size_um) +
                                      " um; it must be greater than 0 and at most 1e6 um");
 }
 

@@ -10,6 +10,7 @@
 #include "mesh/geometry.h"
 #include "mesh/point_math.h"
 #include "mesh/topology.h"
+#include "quantity.h"
 
 namespace npfem {
 namespace {
@@ -91,7 +92,8 @@ class Checker {
     }
   }
 
-  /// The triangles at a vertex must form one fan, and the surface one piece: both by walking over shared edges.
+  /// The triangles at a vertex must form one fan, and the surface one piece:
+  /// both by walking over shared edges.
   void pieces() const {
     const std::vector<Hinge> hinges = find_hinges(mesh_);
     std::vector<int> corner_parent(3 * mesh_.triangles.size()), parent(mesh_.triangles.size());
@@ -120,8 +122,9 @@ class Checker {
 
   void orientation() const {
     if (signed_volume(mesh_) > 0) return;
-    fail("its volume is " + std::to_string(signed_volume(mesh_)) +
-         " um3: the triangles face inwards; reverse the vertex order of all of them");
+    fail("its volume is " + text::format_number(signed_volume(mesh_)) +
+         " um3: the triangles face inwards; reverse the vertex order of all of "
+         "them");
   }
 
  private:

@@ -10,6 +10,7 @@
 #include "error.h"
 #include "mesh/geometry.h"
 #include "mesh/point_math.h"
+#include "quantity.h"
 
 namespace npfem {
 namespace {
@@ -24,7 +25,8 @@ constexpr double pi = std::numbers::pi;
 struct Spheroid {
   double c;
 
-  /// Area between the equator and the height z: 2 pi times the integral of sqrt(1 + q^2 z^2), q^2 = (1 - c^2)/c^4.
+  /// Area between the equator and the height z: 2 pi times the integral of
+  /// sqrt(1 + q^2 z^2), q^2 = (1 - c^2)/c^4.
   double zone_area(double z) const {
     const double q = std::sqrt(std::max(0.0, 1 - c * c)) / (c * c);
     if (q * z < 1e-6) return 2 * pi * z;
@@ -34,7 +36,8 @@ struct Spheroid {
   double reduced_volume() const { return 6 * std::sqrt(pi) * (4 * pi / 3 * c) / std::pow(area(), 1.5); }
 };
 
-/// The x in [low, high] where the increasing function f takes the value `target`.
+/// The x in [low, high] where the increasing function f takes the value
+/// `target`.
 template <class F>
 double bisect(const F& f, double target, double low, double high) {
   for (int i = 0; i < 100; ++i) {
@@ -46,14 +49,14 @@ double bisect(const F& f, double target, double low, double high) {
 
 Spheroid spheroid_of(double reduced_volume) {
   if (!(reduced_volume >= 0.05 && reduced_volume <= 1)) {
-    fail("the reduced volume is " + std::to_string(reduced_volume) +
+    fail("the reduced volume is " + text::format_number(reduced_volume) +
          "; it must lie between 0.05 (a disc) and 1 (a sphere)");
   }
   return {bisect([](double c) { return Spheroid{c}.reduced_volume(); }, reduced_volume, 1e-4, 1)};
 }
 
-/// The meridian of a cell from the pole to the equator, as (radius, height) pairs, and the area that each radius
-/// encloses.
+/// The meridian of a cell from the pole to the equator, as (radius, height)
+/// pairs, and the area that each radius encloses.
 class Meridian {
  public:
   explicit Meridian(const TriangleMesh& cell) {
@@ -86,16 +89,19 @@ class Meridian {
   }
 
  private:
-  /// Round, centred, and with vertices that lie on one curve: if not, the meridian is a zigzag and its area too large.
+  /// Round, centred, and with vertices that lie on one curve: if not, the
+  /// meridian is a zigzag and its area too large.
   void require_revolution(const TriangleMesh& cell) const {
-    constexpr double tolerance = 0.01, area_tolerance = 0.35;  // the latter for the octahedron itself
+    constexpr double tolerance = 0.01,
+                     area_tolerance = 0.35;  // the latter for the octahedron itself
     const Point size = extents(cell);
     const double area = 2 * (enclosed_.back() + rim_area_);
     const bool is_round = std::abs(size[0] - size[1]) < tolerance * size[0];
     const bool is_centred = norm(volume_centroid(cell)) < tolerance * size[0];
     if (is_round && is_centred && std::abs(area / surface_area(cell) - 1) < area_tolerance) return;
     fail(
-        "the cell is not a surface of revolution about z, centred at the origin and symmetric about z = 0; turn and "
+        "the cell is not a surface of revolution about z, centred at the "
+        "origin and symmetric about z = 0; turn and "
         "centre it, or set stress_free_reduced_volume to 0 (its own shape)");
   }
 

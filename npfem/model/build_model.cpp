@@ -8,6 +8,7 @@
 #include "mesh/stress_free.h"
 #include "mesh/topology.h"
 #include "model/model_parts.h"
+#include "quantity.h"
 
 namespace npfem {
 namespace {
@@ -23,7 +24,7 @@ void add_membrane(Model& model, const Material& material, const std::vector<Poin
   const double shear = material.get("shear_modulus");
   if ((law == "skalak" || law == "neo_hookean") && !(shear > 0)) {
     throw Error(Status::bad_input, "material \"" + material.name() + "\": membrane_law \"" + law +
-                                       "\" needs a positive shear_modulus (uN/m), found " + std::to_string(shear));
+                                       "\" needs a positive shear_modulus (uN/m), found " + text::format_number(shear));
   }
   if (law == "skalak") {
     const double c = material.get("skalak_C");
@@ -104,7 +105,8 @@ Model build_model(const TriangleMesh& mesh, const Material& material) {
   set_solid_mass(model, material);
   if (model.energy_names().empty()) {
     throw Error(Status::bad_input, "material \"" + material.name() +
-                                       "\" has no energy: set membrane_law, bending_law or a global modulus");
+                                       "\" has no energy: set membrane_law, "
+                                       "bending_law or a global modulus");
   }
   return model;
 }

@@ -5,6 +5,7 @@
 
 #include "error.h"
 #include "model/model_parts.h"
+#include "quantity.h"
 
 namespace npfem {
 namespace {
@@ -27,7 +28,9 @@ void require_buildable(const LineageConstraint& c, std::size_t index, std::size_
   const LineageArity arity = lineage_arity(c.type);
   const std::string where = "constraint " + std::to_string(index) + " (" + c.type + "): ";
   if (arity.ids == 0) {
-    throw Error(Status::bad_input, where + "this type is not available; there are SurfaceMaterial, Area, Bending");
+    throw Error(Status::bad_input, where +
+                                       "this type is not available; there are "
+                                       "SurfaceMaterial, Area, Bending");
   }
   if (c.ids.size() != static_cast<std::size_t>(arity.ids) ||
       c.scalars.size() != static_cast<std::size_t>(arity.scalars)) {
@@ -37,8 +40,8 @@ void require_buildable(const LineageConstraint& c, std::size_t index, std::size_
   }
   for (const int id : c.ids) {
     if (id < 0 || static_cast<std::size_t>(id) >= points) {
-      throw Error(Status::bad_input, where + "vertex " + std::to_string(id) + " does not exist; there are " +
-                                         std::to_string(points));
+      throw Error(Status::bad_input,
+                  where + "vertex " + std::to_string(id) + " does not exist; there are " + std::to_string(points));
     }
   }
 }
@@ -78,10 +81,12 @@ Model build_lineage_model(const std::vector<Point>& points, const std::vector<Li
   complete_model(model);
   if (!(model.rest.volume > 0)) {
     throw Error(Status::bad_input, "the SurfaceMaterial triangles enclose a volume of " +
-                                       std::to_string(model.rest.volume) +
-                                       " um3; a closed surface, counter-clockwise seen from outside, is needed");
+                                       text::format_number(model.rest.volume) +
+                                       " um3; a closed surface, counter-clockwise seen from "
+                                       "outside, is needed");
   }
-  if (mass.volume_weight > 0) cell_term<LineageVolume>(model).emplace(LineageVolume::Params<double>{mass.volume_weight});
+  if (mass.volume_weight > 0)
+    cell_term<LineageVolume>(model).emplace(LineageVolume::Params<double>{mass.volume_weight});
   model.solid_mass.assign(points.size(), mass.density * model.rest.volume / static_cast<double>(points.size()));
   return model;
 }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MPL-2.0
 """The other verbs, and how verbs are found."""
+import pathlib
 import json
 import os
 import stat
@@ -94,3 +95,8 @@ def test_inspect(program, scene, tmp_path):
 def test_keys_prints_the_reference(program):
     page = program("keys").stdout
     assert page.startswith("# Scene files") and "`shear_rate`" in page
+
+
+def test_docs_hold_the_readers_own_table(program):
+    page = pathlib.Path(__file__).resolve().parents[2] / "docs" / "scene.md"
+    assert page.read_text(encoding="utf-8") == program("keys").stdout, "docs/scene.md: write it anew with npfem keys"

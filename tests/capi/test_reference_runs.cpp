@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "lineage_body.h"
+#include "npfem/npfem.hpp"
 
 namespace {
 
@@ -72,6 +73,8 @@ class ReferenceRuns : public testing::Test {
     return difference;
   }
 
+  ShapeOpSolver* solver_ = nullptr;
+
  private:
   static double extent(const std::vector<double>& xyz, std::size_t axis) {
     double least = xyz[axis], most = xyz[axis];
@@ -81,9 +84,33 @@ class ReferenceRuns : public testing::Test {
     }
     return most - least;
   }
-
-  ShapeOpSolver* solver_ = nullptr;
 };
+
+TEST_F(ReferenceRuns, ABatchInLineageModeTakesTheSameStepsBitForBit) {
+  const auto folder = shared_data() / "Case_Studies" / "RBC_Surface_mesh_258SurfVer";
+  const npfem::api::Model model = npfem::api::Model::load_lineage(folder.string(), 1125, 250);
+  npfem::api::Batch batch(model, "reference", 1);
+  batch.set("method", std::string("lineage"));
+  batch.set("time_step", 0.25);
+  batch.set("lineage_alpha", 0.9);
+  batch.set("lineage_beta", 0.01);
+  batch.set("history", 5);
+  batch.set("max_iterations", 30);
+  batch.set("max_line_search", 5);
+  std::vector<double> force(3 * 258, 0.0), stepped(force), solved(force);
+  force[0] = 50;
+  batch.write("external_force", 0, 1, force);
+  shapeop_addVertexForce(solver_, force.data(), 0);
+  ASSERT_EQ(shapeop_initDynamic(solver_, 0.9, 0.01, 0.25, 1125, false, true, 250), 0);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(batch.step(), 0);
+    EXPECT_EQ(shapeop_solve(solver_, 7, 30, 5, 7, 5, 1e-5, 1e-4, 0.9, 0, 0), 0);
+  }
+  batch.read("position", 0, 1, stepped);
+  shapeop_getPoints(solver_, solved.data(), 258);
+  EXPECT_EQ(stepped, solved);
+  EXPECT_NE(stepped, model.get("rest_position"));
+}
 
 TEST_F(ReferenceRuns, DynamicStretchMatchesInEveryPosition) {
   const Difference difference = repeat(dynamic_50);

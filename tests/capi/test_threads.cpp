@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <string>
 #include <thread>
 #include <vector>
@@ -96,7 +97,9 @@ TEST(Threads, ABusyBatchRefusesASecondThreadAndCanBeStopped) {
     running = false;
   });
   std::int32_t refused = NPFEM_OK;
-  while (refused == NPFEM_OK && running) refused = npfem_batch_evaluate(batch.handle());
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (refused == NPFEM_OK && running && std::chrono::steady_clock::now() < deadline)
+    refused = npfem_batch_evaluate(batch.handle());
   EXPECT_EQ(refused, NPFEM_ERROR_ORDER);
   EXPECT_EQ(text_of([](char* b, std::int32_t n) { return npfem_last_error(b, n); }),
             "npfem_batch_evaluate: the batch is in use by another thread; until that call returns only "

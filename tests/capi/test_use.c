@@ -170,6 +170,8 @@ static void check_steps(int32_t batch) {
   OK(npfem_batch_pack(batch, 0, packed, length));
   OK(npfem_batch_step(batch, 1));
   OK(npfem_batch_unpack(batch, 1, packed, length));
+  OK(npfem_batch_state_hash(batch, 0, 2, hash, 2));
+  HOLDS(hash[0] != hash[1]);
   OK(npfem_batch_unpack(batch, 0, packed, length));
   OK(npfem_batch_state_hash(batch, 0, 2, hash, 2));
   HOLDS(hash[0] == hash[1]);
@@ -179,6 +181,23 @@ static void check_steps(int32_t batch) {
   OK(npfem_batch_evaluate(batch));
   HOLDS(measure(batch, "energy") >= 0);
   OK(npfem_request_stop(batch));
+}
+
+static void check_options(int32_t batch) {
+  char word[16];
+  double least = 0, largest = 0, fallback = 0, value = 0;
+  OK(npfem_param_name(batch, 0, word, (int32_t)sizeof word));
+  HOLDS(strcmp(word, "time_step") == 0);
+  OK(npfem_param_range(batch, 0, &least, &largest, &fallback));
+  HOLDS(least == 1e-9 && largest == 1e12 && fallback == 0.25);
+  OK(npfem_set_f64(batch, "time_step", 2));
+  OK(npfem_get_f64(batch, "time_step", &value));
+  HOLDS(value == 2);
+  OK(npfem_set_f64(batch, "time_step", fallback));
+  OK(npfem_set_text(batch, "method", "lineage"));
+  OK(npfem_get_text(batch, "method", word, (int32_t)sizeof word));
+  HOLDS(strcmp(word, "lineage") == 0);
+  OK(npfem_set_text(batch, "method", "default"));
 }
 
 int main(void) {
@@ -197,6 +216,7 @@ int main(void) {
   OK(npfem_release(material));
   OK(npfem_release(model));
   check_parameters(batch);
+  check_options(batch);
   check_stretch(batch);
   check_patch(batch);
   check_steps(batch);

@@ -58,8 +58,8 @@ TEST(StiffCapsule, ImplicitCouplingStandsWhereTheExplicitBlowsUp) {
   EXPECT_LT(explicit_steps, 100);
 }
 
-// coupling.md: the rigid limit, Ca = 3e-7, in the pairs (tau, k) where the layer ell(delta) was tried. A sphere that
-// cannot deform turns with the flow: no vertex is faster than the flow around it.
+// Ca = 3e-7, over the range of relaxation times and of steps between solves that the ambient layer ell(delta) is made
+// for. A sphere that cannot deform turns with the flow: no vertex is faster than the flow around it.
 TEST(StiffCapsule, RigidLimitIsStable) {
   for (const auto& [tau, every] : {std::pair{1.0, 1}, std::pair{1.0, 5}, std::pair{4.0, 2}, std::pair{12.0, 1}}) {
     double deformation = 1, fastest = 1;

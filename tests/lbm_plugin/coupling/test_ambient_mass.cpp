@@ -35,7 +35,7 @@ TEST(AmbientMass, OfAVertexThatActsAloneIsThatOfItsKernel) {
   EXPECT_NEAR(ambient_masses(areas, 3, kUnits, 0, 0.1)[0], 1000.0, 1e-10);  // (2 dx)^3
 }
 
-// A red cell at dx = 0.5 um: coupling.md gives kappa = 1e-4 at tau = 12, which fixes ell = 2.07 um.
+// A red cell (G = 5.5 uN/m, a = 4 um) at dx = 0.5 um in plasma, tau = 12: kappa = 1e-4, hence ell = 2.07 um.
 TEST(AmbientLayer, AgreesWithTheWorkedExample) {
   const Units coarse{0.5, 0.958, 1025.0};
   EXPECT_NEAR(coarse.relaxation_time(1.0), 12.0, 0.01);

@@ -18,7 +18,7 @@ const Limit& limit(const std::vector<Limit>& limits, const std::string& name) {
   throw std::out_of_range(name);
 }
 
-/// The worked example of coupling.md section 7: a red cell's modulus and size at dx = 0.5 um in plasma, tau = 12.
+/// A red cell's modulus and size at dx = 0.5 um in plasma, tau = 12, worked out by hand.
 flow::Setup worked_example(int steps_per_solve) {
   flow::Setup setup = capsules::fluid(DomainKind::shear_box, {32, 32, 32}, 1.0);
   setup.domain.dx = 0.5;

@@ -94,6 +94,16 @@ TEST(MomentumAudit, ClosesInATubeWithoutCells) {
   EXPECT_LT(error_after(setup, 1000), 1e-13);
 }
 
+// A cell whose kernel reaches into the wall of a round tube: part of its force falls on solid nodes.
+TEST(MomentumAudit, ClosesInATubeWithACell) {
+  flow::Setup setup = with_coupling(capsules::fluid(DomainKind::tube, {14, 14, 12}, 0.9), {"", Scheme::implicit, 1, 4});
+  setup.domain.tube_radius = 7;
+  setup.body_force = {0, 0, 1e-5};
+  setup.types = {capsules::inflated(capsules::capsule("sphere", 2, 3.0, capsules::neo_hookean(0.01)), 1.02)};
+  capsules::place(setup, 0, {7, 10.2, 6});
+  EXPECT_LT(error_after(setup, 300), kBound);
+}
+
 // The audit must be able to fail: a force that nobody booked.
 TEST(MomentumAudit, FindsAForceThatIsNotBooked) {
   SerialCommunicator self;

@@ -197,5 +197,10 @@ TEST(Presets, HaveTheStatedValues) {
   EXPECT_GT(Material::preset("platelet").get("shear_modulus"), 10 * rbc.get("shear_modulus"));
 }
 
+TEST(MaterialReference, DocsHoldTheLoadersOwnTable) {
+  const std::string page = text::read_file(std::string(NPFEM_SOURCE) + "/docs/materials.md");
+  EXPECT_NE(page.find(Material::reference_page()), std::string::npos) << "docs/materials.md is out of date";
+}
+
 }  // namespace
 }  // namespace npfem
