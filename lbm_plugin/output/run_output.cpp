@@ -31,12 +31,19 @@ bool written_by_a_run(std::string file) {
   return framed("cells_", ".vtu") || framed("fluid_", ".vti");
 }
 
+/// Whether the folder bears the mark of a run. A scene.toml or a cells.csv alone may be anybody's.
+bool holds_a_run(const std::filesystem::path& folder) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string file = entry.path().filename().string();
+    if (written_by_a_run(file) && file != "scene.toml" && file != "cells.csv") return true;
+  }
+  return false;
+}
+
 void remove_earlier_run(const std::filesystem::path& folder) {
   std::error_code error;
-  // The mark of a run: without it, files of these names are somebody else's.
-  const auto has = [&](const char* file) { return std::filesystem::exists(folder / file, error); };
-  if (!has("cells.pvd") && !has("fluid.pvd") && !has("summary.json")) {
-    if (std::filesystem::is_empty(folder, error)) return;
+  if (!std::filesystem::is_empty(folder, error) && !holds_a_run(folder)) {
     throw text::FileError("output folder \"" + folder.string() +
                           "\" holds files but no run that could be replaced; choose another folder");
   }

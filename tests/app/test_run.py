@@ -203,3 +203,29 @@ def test_a_full_disk_is_an_error_that_names_the_file(program, scene, tmp_path):
     assert result.returncode == 1
     assert "cannot write" in result.stderr and "cells_000000000.vtu" in result.stderr
     assert not list(folder.glob("*.vtu")) and not list(folder.glob("*.part"))
+
+
+def test_overwrite_spares_what_no_run_wrote(program, scene, tmp_path):
+    table = tmp_path / "mine" / "cells.csv"
+    table.parent.mkdir()
+    table.write_text("my own table\n")
+    result = program("run", scene, "-o", table.parent, "--overwrite")
+    assert result.returncode == 2
+    assert "holds files but no run that could be replaced" in result.stderr
+    assert table.read_text() == "my own table\n"
+
+
+def test_a_run_does_not_replace_its_own_scene(program, scene):
+    before = scene.read_text()
+    result = program("run", scene, "-o", scene.parent, "--overwrite")
+    assert result.returncode == 2
+    assert "is the one the scene lies in" in result.stderr
+    assert scene.read_text() == before
+
+
+def test_a_haematocrit_below_one_cell_is_an_error(program, scene, tmp_path):
+    scene.write_text(scene.read_text().replace("count = 1", "haematocrit = 1e-6"))
+    result = program("run", scene, "-o", tmp_path / "out")
+    assert result.returncode == 2
+    assert "is less than half a cell in this domain" in result.stderr
+    assert not (tmp_path / "out").exists()

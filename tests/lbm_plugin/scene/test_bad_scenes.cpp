@@ -88,7 +88,7 @@ const BadScene wrong_numbers[] = {
     {"KernelOfFive", "[run]", "[coupling]\nkernel = 5\n[run]",
      "scene.toml:23:10: coupling.kernel: 5 is not allowed: 2 to 4"},
     {"LongRange", "[run]", "[repulsion]\nrange = \"3 um\"\n[run]",
-     "scene.toml:23:9: repulsion.range: 3 um is more than two node spacings (1 um), the farthest that is looked"},
+     "scene.toml:23:9: repulsion.range: 3 um is more than two node spacings (1 um), the largest range supported"},
     {"NegativeSteps", "steps = 10", "steps = -10", "scene.toml:23:9: run.steps: -10 must not be negative"},
     {"NegativeCount", "count = 1", "count = -1", "scene.toml:20:9: cells[0].count: -1 must not be negative"},
     {"CountAsText", "count = 1", "count = \"1\"",
