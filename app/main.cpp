@@ -102,7 +102,8 @@ int run_program(int argc, char** argv) {
   CLI::App program{"Deformable blood cells in a flowing fluid."};
   program.name("npfem");
   program.require_subcommand(1);
-  program.set_version_flag("--version", "npfem " + api::text_of([](char* b, std::int32_t n) { return npfem_version(b, n); }));
+  program.set_version_flag("--version",
+                           "npfem " + api::text_of([](char* b, std::int32_t n) { return npfem_version(b, n); }));
   program.footer(python_help());
   const std::vector<Verb> verbs = add_verbs(program);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MPL-2.0
 // npfem run: a scene from its first step to its last.
 #include <cmath>
-#include <filesystem>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 
@@ -42,7 +42,8 @@ flow::Scene load(Session& session, const SceneOptions& options) {
 void prepare_folder(Session& session, const RunOptions& options, flow::Scene& scene) {
   on_first_rank(session, [&] {
     std::error_code error;
-    if (std::filesystem::equivalent(std::filesystem::absolute(options.scene.path).parent_path(), options.folder, error)) {
+    if (std::filesystem::equivalent(std::filesystem::absolute(options.scene.path).parent_path(), options.folder,
+                                    error)) {
       throw text::FileError("output folder \"" + options.folder + "\" is the one the scene lies in; the run would " +
                             "replace it by the resolved scene; choose another folder");
     }

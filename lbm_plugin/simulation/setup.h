@@ -14,9 +14,9 @@ namespace npfem::flow {
 
 /// A kind of cell: one model shared by all its cells.
 struct CellType {
-  std::string name;                                    ///< for example "rbc"
+  std::string name;  ///< for example "rbc"
   std::shared_ptr<const api::Model> model;
-  std::vector<double> shape;                           ///< xyz of the relaxed, unloaded cell about the origin, um
+  std::vector<double> shape;  ///< xyz of the relaxed, unloaded cell about the origin, um
   std::vector<std::int32_t> triangles;
   std::vector<std::pair<std::string, double>> options;  ///< numbers set on every batch of this type (npfem_set_f64)
 };
@@ -35,8 +35,8 @@ enum class CouplingScheme {
 
 struct CouplingSettings {
   CouplingScheme scheme = CouplingScheme::implicit;
-  int kernel_points = 4;   ///< width of the immersed-boundary kernel in nodes: 2, 3 or 4
-  int steps_per_solve = 1; ///< fluid steps per step of the cell solver (k)
+  int kernel_points = 4;    ///< width of the immersed-boundary kernel in nodes: 2, 3 or 4
+  int steps_per_solve = 1;  ///< fluid steps per step of the cell solver (k)
 };
 
 /// Smooth repulsion that keeps surfaces apart: force strength * (1 - d/range)^2 at distance d < range.
@@ -53,12 +53,13 @@ struct Setup {
   double kinematic_viscosity = 0;  ///< um2/us
   Vec3 body_force{};               ///< pN/um3, drives the flow
   double magic_parameter = 3.0 / 16.0;
-  bool start_developed = false;    ///< start from the steady flow without cells (Couette, Poiseuille) instead of from rest
+  bool start_developed =
+      false;  ///< start from the steady flow without cells (Couette, Poiseuille) instead of from rest
   CouplingSettings coupling;
   RepulsionSettings cell_repulsion;
   RepulsionSettings wall_repulsion;
   std::vector<CellType> types;
-  std::vector<CellStart> cells;    ///< the index is the cell's global id
+  std::vector<CellStart> cells;  ///< the index is the cell's global id
 };
 
 }  // namespace npfem::flow

@@ -12,7 +12,9 @@ enum class CellStatus : int {
   not_converged = 4,
 };
 
-inline bool has_failed(CellStatus status) { return status >= CellStatus::not_finite; }
+inline bool has_failed(CellStatus status) {
+  return status >= CellStatus::not_finite;
+}
 
 struct CellReport {
   CellStatus status = CellStatus::converged;

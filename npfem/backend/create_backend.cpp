@@ -6,7 +6,9 @@
 
 namespace npfem {
 
-std::vector<std::string> backend_names() { return {"reference"}; }
+std::vector<std::string> backend_names() {
+  return {"reference"};
+}
 
 std::unique_ptr<Backend> create_backend(std::shared_ptr<const Model> model, std::string_view name) {
   if (name == "reference") return std::make_unique<ReferenceBackend>(std::move(model));

@@ -10,22 +10,22 @@ namespace npfem {
 
 /// Settings of a batch, the same for every back end.
 struct SolverOptions {
-  double time_step = 0.25;        ///< us
-  double tolerance = 1e-4;        ///< pN, on the largest component of the residual force
-  double residual_bound = 1.0;    ///< pN: at the iteration cap a smaller residual is a warning, a larger one a failure
+  double time_step = 0.25;      ///< us
+  double tolerance = 1e-4;      ///< pN, on the largest component of the residual force
+  double residual_bound = 1.0;  ///< pN: at the iteration cap a smaller residual is a warning, a larger one a failure
   int max_iterations = 200;
-  int relax_iterations = 20000;   ///< cap of a static solve
-  int history = 7;                ///< pairs kept by L-BFGS
-  int max_line_search = 20;       ///< trials per iteration
+  int relax_iterations = 20000;  ///< cap of a static solve
+  int history = 7;               ///< pairs kept by L-BFGS
+  int max_line_search = 20;      ///< trials per iteration
 
-  bool lineage = false;           ///< step exactly as the lineage does
-  double lineage_alpha = 0;       ///< Calpha: share of the non-rigid velocity removed in each step
-  double lineage_beta = 0;        ///< Cbeta, us: damping proportional to the weight matrix
+  bool lineage = false;      ///< step exactly as the lineage does
+  double lineage_alpha = 0;  ///< Calpha: share of the non-rigid velocity removed in each step
+  double lineage_beta = 0;   ///< Cbeta, us: damping proportional to the weight matrix
   double lineage_tolerance = 1e-5;
-  int lineage_window = 5;         ///< objective values whose relative scatter is compared with the tolerance
-  int lineage_attempts = 7;       ///< failed line searches allowed in a step
-  double lineage_armijo = 1e-4;   ///< gamma
-  double lineage_curvature = 0.9; ///< gamma2
+  int lineage_window = 5;          ///< objective values whose relative scatter is compared with the tolerance
+  int lineage_attempts = 7;        ///< failed line searches allowed in a step
+  double lineage_armijo = 1e-4;    ///< gamma
+  double lineage_curvature = 0.9;  ///< gamma2
 };
 
 /// One number among the options.
@@ -39,7 +39,8 @@ struct OptionInfo {
 
 std::span<const OptionInfo> solver_options();
 
-/// By key. Throws Error(unknown_name) with the nearest key, Error(bad_input) out of range; the options are then unchanged.
+/// By key. Throws Error(unknown_name) with the nearest key, Error(bad_input) out of range; the options are then
+/// unchanged.
 double get_option(const SolverOptions& options, std::string_view key);
 void set_option(SolverOptions& options, std::string_view key, double value);
 

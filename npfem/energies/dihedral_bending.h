@@ -8,7 +8,8 @@ namespace npfem {
 /// Bending by signed dihedral angles (Kantor & Nelson 1987), weighted by the shape of the hinge:
 ///   E = k [1 - cos(theta - theta0)],   k = kappa L^2 / (A0 + A1).
 /// L, A0, A1: rest edge length and triangle areas. On equilateral triangles k = (2/sqrt 3) kappa, Kantor and Nelson's
-/// value. Hinge energies depend on the mesh: this one realises about 0.87 of the continuum kappa on subdivided octahedra.
+/// value. Hinge energies depend on the mesh: this one realises about 0.87 of the continuum kappa on subdivided
+/// octahedra.
 struct DihedralBending {
   static constexpr const char* name = "dihedral_bending";
   static constexpr int num_vertices = 4;
@@ -21,10 +22,10 @@ struct DihedralBending {
   };
   template <class R>
   struct Rest {
-    R per_modulus;           ///< L^2 / (A0 + A1), 1
-    R cosine, sine;          ///< of theta0
+    R per_modulus;   ///< L^2 / (A0 + A1), 1
+    R cosine, sine;  ///< of theta0
     HingeRow<R> row;
-    R edge_length;           ///< L, um
+    R edge_length;  ///< L, um
   };
 
   template <class R>
@@ -46,8 +47,10 @@ struct DihedralBending {
 
     // Moving an opposite vertex outward by h opens the hinge by h / (its height over the edge).
     const T tiny = T(1e-30f);
-    const Vec3<T> outer_a = (-moment * angle.edge_length / larger(dot(angle.normal_a, angle.normal_a), tiny)) * angle.normal_a;
-    const Vec3<T> outer_b = (-moment * angle.edge_length / larger(dot(angle.normal_b, angle.normal_b), tiny)) * angle.normal_b;
+    const Vec3<T> outer_a =
+        (-moment * angle.edge_length / larger(dot(angle.normal_a, angle.normal_a), tiny)) * angle.normal_a;
+    const Vec3<T> outer_b =
+        (-moment * angle.edge_length / larger(dot(angle.normal_b, angle.normal_b), tiny)) * angle.normal_b;
     // The edge takes the opposite forces, shared by where each opposite vertex projects on it: no net force or torque.
     const T per_square = T(1) / larger(angle.edge_length * angle.edge_length, tiny);
     const T share_a = dot(x[2] - x[0], angle.edge) * per_square;

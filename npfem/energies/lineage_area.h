@@ -23,8 +23,8 @@ struct LineageArea {
 
   template <class T, class R>
   NPFEM_HD static SurfaceResponse<T> respond(const T& square_sum, const T& area_ratio, const Params<R>& p) {
-    // With l = (l1 + l2, l1 - l2) = (sum, difference), every iterate has the form (a, ratio * difference): the iteration
-    // runs on a and ratio, and never divides by the difference, which may be zero.
+    // With l = (l1 + l2, l1 - l2) = (sum, difference), every iterate has the form (a, ratio * difference): the
+    // iteration runs on a and ratio, and never divides by the difference, which may be zero.
     const T sum = square_root(square_sum + R(2) * area_ratio);
     const T difference_square = larger(square_sum - R(2) * area_ratio, T(R(0)));
     T a = sum, ratio = T(R(1));
@@ -34,7 +34,7 @@ struct LineageArea {
       const T excess = product - clamp(product, T(p.least), T(p.largest));
       // g = (s2, s1) has sum a and difference -ratio * difference.
       const T moved = R(0.5) * ((a - sum) * a - (ratio - R(1)) * ratio * difference_square);  // g . (s - l)
-      const T length_square = R(0.5) * (a * a + ratio_square_part);                          // g . g
+      const T length_square = R(0.5) * (a * a + ratio_square_part);                           // g . g
       const T shift = (excess - moved) / larger(length_square, T(R(1e-30)));
       const T next_a = sum - shift * a;
       ratio = R(1) + shift * ratio;

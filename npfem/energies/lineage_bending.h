@@ -42,8 +42,8 @@ struct LineageBending {
     const R n = larger(rest.magnitude, negligible);
     const T target = select(T(rest.magnitude) > T(negligible),
                             n * clamp(R(1) / n * length, T(params.least), T(params.largest)), T(R(0)));
-    const T gap = select(length > T(negligible), length - target,
-                         select(T(rest.magnitude) > T(negligible), T(R(0)), length));
+    const T gap =
+        select(length > T(negligible), length - target, select(T(rest.magnitude) > T(negligible), T(R(0)), length));
     const R stiffness = params.weight * rest.per_area;
     const T pull = stiffness * gap / larger(length, T(R(1e-30)));
     for (int i = 0; i < 4; ++i) gradient[i] = (rest.row.coefficient[i] * pull) * e;

@@ -26,8 +26,8 @@ struct LineageSurfaceMaterial {
     // (f'(l1) - f'(l2)) / (l1 - l2), which is why equal stretches need no special case.
     const T sum = square_root(square_sum + R(2) * area_ratio);
     const T square_sum_below = (sum - R(2)) * (sum - R(2)) - R(2) * (area_ratio - sum + R(1));  // sum of (l - 1)^2
-    const T product_below = area_ratio - sum + R(1);                                          // (l1 - 1)(l2 - 1)
-    const T cube_sum_below = (sum - R(2)) * (square_sum_below - product_below);               // sum of (l - 1)^3
+    const T product_below = area_ratio - sum + R(1);                                            // (l1 - 1)(l2 - 1)
+    const T cube_sum_below = (sum - R(2)) * (square_sum_below - product_below);                 // sum of (l - 1)^3
     const T fourth_sum_below = square_sum_below * square_sum_below - R(2) * product_below * product_below;
     const T fourth_sum = square_sum * square_sum - R(2) * area_ratio * area_ratio;
     const T cube_sum = sum * (square_sum - area_ratio);

@@ -8,9 +8,9 @@ namespace npfem {
 /// How a surface law answers a strain: energy per rest area and its derivatives by the two invariants.
 template <class T>
 struct SurfaceResponse {
-  T energy;          ///< W, pN/um
-  T by_square_sum;   ///< dW/dt, t = l1^2 + l2^2 (l1, l2: principal stretches)
-  T by_area_ratio;   ///< dW/dJ, J = l1 l2
+  T energy;         ///< W, pN/um
+  T by_square_sum;  ///< dW/dt, t = l1^2 + l2^2 (l1, l2: principal stretches)
+  T by_area_ratio;  ///< dW/dJ, J = l1 l2
 };
 
 /// In-plane strain of a linear triangle. Both invariants come from the metric, without a singular value decomposition.
@@ -30,8 +30,8 @@ NPFEM_HD TriangleRest<R> triangle_rest(const Vec3<R> (&rest)[3]) {
 
 /// An isotropic membrane made of linear triangles: E = A0 W(t, J) for each.
 ///
-/// Law supplies `name`, `Params<R>`, `zero_at_rest`, `respond(t, J, params)` and `stiffness(params)`: the modulus (uN/m)
-/// by which the law enters the quasi-Newton matrix. Any number of laws may share one strain of a triangle.
+/// Law supplies `name`, `Params<R>`, `zero_at_rest`, `respond(t, J, params)` and `stiffness(params)`: the modulus
+/// (uN/m) by which the law enters the quasi-Newton matrix. Any number of laws may share one strain of a triangle.
 /// Source: constant-strain triangle in principal stretches, e.g. Charrier, Shrivastava & Wu 1989.
 template <class Law>
 struct Membrane {

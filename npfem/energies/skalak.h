@@ -23,8 +23,7 @@ struct Skalak {
     const T i1 = square_sum - R(2);
     const T i2 = area_ratio * area_ratio - R(1);
     return {R(0.25) * p.shear_modulus * (i1 * i1 + R(2) * (i1 - i2) + p.area_coefficient * i2 * i2),
-            R(0.5) * p.shear_modulus * (i1 + R(1)),
-            p.shear_modulus * area_ratio * (p.area_coefficient * i2 - R(1))};
+            R(0.5) * p.shear_modulus * (i1 + R(1)), p.shear_modulus * area_ratio * (p.area_coefficient * i2 - R(1))};
   }
 
   template <class R>

@@ -41,16 +41,16 @@ using CellTerms = TermsOf<CellEnergies>::type;
 
 /// One type of cell: everything that its cells share. Never changes once built, so any number of threads may read it.
 struct Model {
-  std::vector<Point> initial;        ///< shape of a new cell, um
-  std::vector<Triangle> triangles;   ///< surface, outward
-  std::vector<double> vertex_area;   ///< one third of the rest area of the triangles at each vertex, um^2
-  std::vector<double> solid_mass;    ///< per vertex, fg
+  std::vector<Point> initial;       ///< shape of a new cell, um
+  std::vector<Triangle> triangles;  ///< surface, outward
+  std::vector<double> vertex_area;  ///< one third of the rest area of the triangles at each vertex, um^2
+  std::vector<double> solid_mass;   ///< per vertex, fg
   ElementBlocks elements;
   CellTerms cell_terms;
-  CellRest<double> rest{};           ///< area and volume at rest
+  CellRest<double> rest{};             ///< area and volume at rest
   Eigen::SparseMatrix<double> weight;  ///< sum of the energies' constant weights, n x n for each coordinate, pN/um
-  double shear_modulus = 0;          ///< small strain, uN/m
-  double largest_modulus = 0;        ///< stiffest surface modulus, uN/m
+  double shear_modulus = 0;            ///< small strain, uN/m
+  double largest_modulus = 0;          ///< stiffest surface modulus, uN/m
 
   int num_vertices() const { return static_cast<int>(initial.size()); }
 

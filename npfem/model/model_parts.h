@@ -6,7 +6,9 @@
 
 namespace npfem {
 
-inline Vec3<double> as_vec3(const Point& p) { return {p[0], p[1], p[2]}; }
+inline Vec3<double> as_vec3(const Point& p) {
+  return {p[0], p[1], p[2]};
+}
 
 /// Adds one element whose rest shape is given by its vertices in `rest` (um).
 template <class E>

@@ -11,13 +11,15 @@
  *           says what was found and what is allowed.
  * Types     SurfaceMaterial (3 vertices; scalars rangeMin rangeMax miu lambda kappa; rangeMin, rangeMax and kappa have
  *           no effect), Area (3 vertices; rangeMin rangeMax), Bending (4 vertices: the edge, then the vertex opposite
- * to it in each triangle; rangeMin rangeMax). Not available, shapeop_addConstraint() answers -1: VolumeMaterial,
- * VolumeDamping, Collision, TriangleARAP, TetrahedronARAP, EdgeStrainLimiting, TriangleStrainLimiting,
- * TetrahedronStrainLimiting, Volume, Closeness. Order     create, setPoints, addConstraint and editConstraint, forces,
- * init, solve (one time step each), getPoints, delete. Better    than the lineage: shapeop_setTimeStep() and
- * shapeop_editConstraint() after the initialisation take full effect in the next step, ids are checked, and a step that
- * fails is reported. Nothing is printed. Kept      from the lineage: the collision arguments of shapeop_solve() reach
- * only obstacles whose normals have length 2; those with unit normals always act within 1 um and with 20 pN/um.
+ *           to it in each triangle; rangeMin rangeMax).
+ *           Not available, shapeop_addConstraint() answers -1: VolumeMaterial, VolumeDamping, Collision, TriangleARAP,
+ *           TetrahedronARAP, EdgeStrainLimiting, TriangleStrainLimiting, TetrahedronStrainLimiting, Volume, Closeness.
+ * Order     create, setPoints, addConstraint and editConstraint, forces, init, solve (one time step each), getPoints,
+ *           delete.
+ * Better    than the lineage: shapeop_setTimeStep() and shapeop_editConstraint() after the initialisation take full
+ *           effect in the next step, ids are checked, and a step that fails is reported. Nothing is printed.
+ * Kept      from the lineage: the collision arguments of shapeop_solve() reach only obstacles whose normals have length
+ *           2; those with unit normals always act within 1 um and with 20 pN/um.
  */
 #ifndef NPFEM_SHAPEOP_H
 #define NPFEM_SHAPEOP_H

@@ -11,7 +11,8 @@ double element_energy(const ElementBlock<E>& block, const VertexField& x, Vertex
     Vec3<double> corner[E::num_vertices], slope[E::num_vertices];
     for (int i = 0; i < E::num_vertices; ++i) corner[i] = at(x, block.vertices[e][static_cast<std::size_t>(i)]);
     energy += E::energy_gradient(corner, block.rest[e], block.params[e], slope);
-    for (int i = 0; i < E::num_vertices; ++i) add_to(gradient, block.vertices[e][static_cast<std::size_t>(i)], slope[i]);
+    for (int i = 0; i < E::num_vertices; ++i)
+      add_to(gradient, block.vertices[e][static_cast<std::size_t>(i)], slope[i]);
   }
   return energy;
 }

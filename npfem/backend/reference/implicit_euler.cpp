@@ -26,7 +26,8 @@ void implicit_euler_step(const Model& model, const StepFactor& factor, std::span
   const Eigen::Map<const Eigen::VectorXd> solid_mass(model.solid_mass.data(), n);
   const Eigen::VectorXd mass = solid_mass + cell.ambient_mass;
   const Eigen::VectorXd inertia = mass / (dt * dt);
-  const VertexField momentum = solid_mass.asDiagonal() * cell.velocity + cell.ambient_mass.asDiagonal() * cell.ambient_velocity;
+  const VertexField momentum =
+      solid_mass.asDiagonal() * cell.velocity + cell.ambient_mass.asDiagonal() * cell.ambient_velocity;
   const VertexField drift = dt * mass.cwiseInverse().asDiagonal() * momentum;
   const VertexField force = cell.external_force - cell.held_force;
   const StepObjective objective{model, cell.position, inertia, drift, force, patches, cell.tied_at};

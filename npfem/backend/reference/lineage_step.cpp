@@ -45,7 +45,8 @@ std::vector<Contact> find_contacts(std::span<const LineageObstacle> obstacles, c
 /// Objective of the lineage: 1/2 |x - y|^2 in M~/dt^2, plus energies, plus contacts.
 class LineageObjective {
  public:
-  LineageObjective(const Model& model, double dt, double beta, const VertexField& inertial, std::vector<Contact> contacts)
+  LineageObjective(const Model& model, double dt, double beta, const VertexField& inertial,
+                   std::vector<Contact> contacts)
       : model_(model), inertial_(inertial), contacts_(std::move(contacts)) {
     const auto n = static_cast<Eigen::Index>(model.num_vertices());
     const Eigen::Map<const Eigen::VectorXd> mass(model.solid_mass.data(), n);

@@ -13,12 +13,12 @@ namespace npfem {
 /// mu = M/dt^2 (pN/um). Its minimum is the implicit Euler step; with mu = 0 it is a static equilibrium.
 struct StepObjective {
   const Model& model;
-  const VertexField& start;      ///< x_n, um
+  const VertexField& start;        ///< x_n, um
   const Eigen::VectorXd& inertia;  ///< mu per vertex, pN/um
-  const VertexField& drift;      ///< where inertia alone would bring each vertex, um
-  const VertexField& force;      ///< constant forces, pN
+  const VertexField& drift;        ///< where inertia alone would bring each vertex, um
+  const VertexField& force;        ///< constant forces, pN
   std::span<const Patch> patches;
-  const VertexField& tied_at;    ///< where the springs of the patches are at rest, um
+  const VertexField& tied_at;  ///< where the springs of the patches are at rest, um
 
   /// Returns Phi (pN um); writes its gradient (pN). `scale` receives the sum of the magnitudes of Phi's parts: rounding
   /// of Phi is a few 1e-16 of it.

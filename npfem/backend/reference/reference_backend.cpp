@@ -17,13 +17,20 @@ Eigen::VectorXd solid_mass(const Model& model) {
 template <class State>
 auto* field_data(State& cell, Field field) {
   switch (field) {
-    case Field::position: return cell.position.data();
-    case Field::velocity: return cell.velocity.data();
-    case Field::external_force: return cell.external_force.data();
-    case Field::ambient_velocity: return cell.ambient_velocity.data();
-    case Field::held_force: return cell.held_force.data();
-    case Field::ambient_mass: return cell.ambient_mass.data();
-    default: return cell.elastic_force.data();
+    case Field::position:
+      return cell.position.data();
+    case Field::velocity:
+      return cell.velocity.data();
+    case Field::external_force:
+      return cell.external_force.data();
+    case Field::ambient_velocity:
+      return cell.ambient_velocity.data();
+    case Field::held_force:
+      return cell.held_force.data();
+    case Field::ambient_mass:
+      return cell.ambient_mass.data();
+    default:
+      return cell.elastic_force.data();
   }
 }
 
@@ -36,8 +43,8 @@ void ReferenceBackend::add_cells(int count) {
   CellState fresh;
   fresh.position = Eigen::Map<const VertexField>(model_->initial.front().data(), n, 3);
   fresh.tied_at = fresh.position;
-  for (VertexField* field : {&fresh.velocity, &fresh.external_force, &fresh.ambient_velocity, &fresh.held_force,
-                             &fresh.elastic_force}) {
+  for (VertexField* field :
+       {&fresh.velocity, &fresh.external_force, &fresh.ambient_velocity, &fresh.held_force, &fresh.elastic_force}) {
     field->setZero(n, 3);
   }
   fresh.ambient_mass = Eigen::VectorXd::Zero(n);
@@ -45,7 +52,9 @@ void ReferenceBackend::add_cells(int count) {
   cells_.resize(cells_.size() + static_cast<std::size_t>(count), fresh);
 }
 
-void ReferenceBackend::remove_cell(int cell) { cells_.erase(cells_.begin() + cell); }
+void ReferenceBackend::remove_cell(int cell) {
+  cells_.erase(cells_.begin() + cell);
+}
 
 void ReferenceBackend::write(Field field, int cell, std::span<const double> values) {
   std::copy(values.begin(), values.end(), field_data(cells_[static_cast<std::size_t>(cell)], field));

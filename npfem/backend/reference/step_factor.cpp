@@ -24,12 +24,15 @@ StepFactor::StepFactor(const Model& model, const Eigen::VectorXd& diagonal, doub
   matrix += scale * model.weight;
   factor_.compute(matrix);
   if (factor_.info() != Eigen::Success || !(factor_.vectorD().minCoeff() > 0)) {
-    throw Error(Status::bad_input,
-                "the matrix M/dt^2 + W is not positive definite: every vertex needs a mass (solid_mass + ambient_mass > "
-                "0) and the material positive moduli");
+    throw Error(
+        Status::bad_input,
+        "the matrix M/dt^2 + W is not positive definite: every vertex needs a mass (solid_mass + ambient_mass > "
+        "0) and the material positive moduli");
   }
 }
 
-VertexField StepFactor::solve(const VertexField& force) const { return factor_.solve(force); }
+VertexField StepFactor::solve(const VertexField& force) const {
+  return factor_.solve(force);
+}
 
 }  // namespace npfem

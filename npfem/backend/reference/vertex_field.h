@@ -21,6 +21,8 @@ inline void add_to(VertexField& field, int vertex, const Vec3<double>& value) {
 }
 
 /// Sum over vertices of the scalar products.
-inline double inner(const VertexField& a, const VertexField& b) { return a.cwiseProduct(b).sum(); }
+inline double inner(const VertexField& a, const VertexField& b) {
+  return a.cwiseProduct(b).sum();
+}
 
 }  // namespace npfem

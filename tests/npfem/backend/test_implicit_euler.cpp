@@ -171,7 +171,8 @@ TEST(ImplicitEuler, ACellsBitsDoNotDependOnItsNeighboursInTheBatch) {
     batch.relax();
     for (int c = 0; c < cells; ++c) {
       batch.write(Field::ambient_mass, c, 1, testing::fluid_mass(*model));
-      batch.write(Field::ambient_velocity, c, 1, testing::shear(get(batch, Field::position, c), c == mine ? 1e-3 : 4e-3));
+      batch.write(Field::ambient_velocity, c, 1,
+                  testing::shear(get(batch, Field::position, c), c == mine ? 1e-3 : 4e-3));
     }
     EXPECT_EQ(batch.step(5), 0);
     return batch.state_hash(mine);

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <iostream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -61,7 +61,8 @@ class LineageRun : public ::testing::Test {
     Deviation worst{0, 0};
     for (int s = 0; s < steps; ++s) {
       EXPECT_EQ(batch.step(1), 0);
-      worst.extent = std::max(worst.extent, std::abs(batch.measure("extent_x", 0) - extents[static_cast<std::size_t>(s)][1]));
+      worst.extent =
+          std::max(worst.extent, std::abs(batch.measure("extent_x", 0) - extents[static_cast<std::size_t>(s)][1]));
     }
     std::vector<double> x(recorded.size());
     batch.read(Field::position, 0, 1, x);

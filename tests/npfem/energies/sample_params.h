@@ -10,23 +10,41 @@ template <class E>
 typename E::template Params<double> sample_params();
 
 template <>
-inline Skalak::Params<double> sample_params<Membrane<Skalak>>() { return {3.25, 10}; }
+inline Skalak::Params<double> sample_params<Membrane<Skalak>>() {
+  return {3.25, 10};
+}
 template <>
-inline NeoHookean::Params<double> sample_params<Membrane<NeoHookean>>() { return {4.0}; }
+inline NeoHookean::Params<double> sample_params<Membrane<NeoHookean>>() {
+  return {4.0};
+}
 template <>
-inline LineageSurfaceMaterial::Params<double> sample_params<Membrane<LineageSurfaceMaterial>>() { return {35, 5, 27.5}; }
+inline LineageSurfaceMaterial::Params<double> sample_params<Membrane<LineageSurfaceMaterial>>() {
+  return {35, 5, 27.5};
+}
 template <>
-inline LineageArea::Params<double> sample_params<Membrane<LineageArea>>() { return {5000, 1, 1}; }
+inline LineageArea::Params<double> sample_params<Membrane<LineageArea>>() {
+  return {5000, 1, 1};
+}
 template <>
-inline LineageBending::Params<double> sample_params<LineageBending>() { return {1, 1, 1}; }
+inline LineageBending::Params<double> sample_params<LineageBending>() {
+  return {1, 1, 1};
+}
 template <>
-inline DihedralBending::Params<double> sample_params<DihedralBending>() { return {0.3, 0}; }
+inline DihedralBending::Params<double> sample_params<DihedralBending>() {
+  return {0.3, 0};
+}
 template <>
-inline GlobalArea::Params<double> sample_params<GlobalArea>() { return {2500}; }
+inline GlobalArea::Params<double> sample_params<GlobalArea>() {
+  return {2500};
+}
 template <>
-inline GlobalVolume::Params<double> sample_params<GlobalVolume>() { return {2000}; }
+inline GlobalVolume::Params<double> sample_params<GlobalVolume>() {
+  return {2000};
+}
 template <>
-inline LineageVolume::Params<double> sample_params<LineageVolume>() { return {250}; }
+inline LineageVolume::Params<double> sample_params<LineageVolume>() {
+  return {250};
+}
 
 /// How far (um, on elements of about 1 um) vertices are moved where a gradient is compared with finite differences.
 template <class E>

@@ -46,7 +46,9 @@ class ElementContract : public ::testing::Test {
 };
 TYPED_TEST_SUITE(ElementContract, GoogleTypes<ElementEnergies>::type);
 
-double largest(const V& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+double largest(const V& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
 
 TYPED_TEST(ElementContract, NothingAtRest) {
   using E = TypeParam;
@@ -85,7 +87,8 @@ TYPED_TEST(ElementContract, GradientEqualsCentralDifferences) {
   for (int k = 0; k < 50; ++k) {
     const auto rest = this->new_rest();
     V x[E::num_vertices], gradient[E::num_vertices];
-    for (int i = 0; i < E::num_vertices; ++i) x[i] = this->reference[i] + this->random.vector(testing::sample_displacement<E>);
+    for (int i = 0; i < E::num_vertices; ++i)
+      x[i] = this->reference[i] + this->random.vector(testing::sample_displacement<E>);
     E::energy_gradient(x, rest, this->params, gradient);
     double size = 0;
     for (const V& g : gradient) size = std::max(size, largest(g));

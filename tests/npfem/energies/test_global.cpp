@@ -24,7 +24,9 @@ TYPED_TEST(CellContract, NothingAtRest) {
 TYPED_TEST(CellContract, SlopesEqualCentralDifferences) {
   const auto p = testing::sample_params<TypeParam>();
   const double h = 1e-4;
-  const auto energy = [&](double a, double v) { return TypeParam::respond(CellSums<double>{a, v, 69}, rest, p).energy; };
+  const auto energy = [&](double a, double v) {
+    return TypeParam::respond(CellSums<double>{a, v, 69}, rest, p).energy;
+  };
   const auto r = TypeParam::respond(CellSums<double>{133, 90, 69}, rest, p);
   EXPECT_GT(r.energy, 0);
   EXPECT_NEAR((energy(133 + h, 90) - energy(133 - h, 90)) / (2 * h), r.by_area, 1e-6);

@@ -40,7 +40,8 @@ void compare(const std::string& body, std::span<const Row> rows) {
   }
   const Model model = build_lineage_model(read_lineage_body(folder), {1125, 250});
   for (const Row& row : rows) {
-    VertexField x(model.num_vertices(), 3), gradient = VertexField::Zero(model.num_vertices(), 3), a = gradient, v = gradient;
+    VertexField x(model.num_vertices(), 3), gradient = VertexField::Zero(model.num_vertices(), 3), a = gradient,
+                                            v = gradient;
     for (int i = 0; i < model.num_vertices(); ++i) {
       const Point& p = model.initial[static_cast<std::size_t>(i)];
       for (int k = 0; k < 3; ++k) x(i, k) = row.matrix[k][0] * p[0] + row.matrix[k][1] * p[1] + row.matrix[k][2] * p[2];
@@ -58,8 +59,12 @@ void compare(const std::string& body, std::span<const Row> rows) {
   }
 }
 
-TEST(LineageTable, RedCell) { compare("RBC_Surface_mesh_258SurfVer", red_cell); }
-TEST(LineageTable, Platelet) { compare("PLT_Larger_Surface_mesh_66SurfVer", platelet); }
+TEST(LineageTable, RedCell) {
+  compare("RBC_Surface_mesh_258SurfVer", red_cell);
+}
+TEST(LineageTable, Platelet) {
+  compare("PLT_Larger_Surface_mesh_66SurfVer", platelet);
+}
 
 }  // namespace
 }  // namespace npfem

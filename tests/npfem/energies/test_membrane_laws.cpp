@@ -37,7 +37,9 @@ constexpr UniaxialPoint uniaxial[] = {{1.1, .28691, .33270, .38757, .39648},
                                       {1.5, 1.29279, 2.7873, 3.0241, 3.0558},
                                       {2.0, 2.47487, 11.255, 12.078, 12.176}};
 
-double skalak_lateral_stretch(double c, double l1) { return std::sqrt((1 + c * l1 * l1) / (1 + c * std::pow(l1, 4))); }
+double skalak_lateral_stretch(double c, double l1) {
+  return std::sqrt((1 + c * l1 * l1) / (1 + c * std::pow(l1, 4)));
+}
 
 TEST(UniaxialTension, NeoHookean) {
   for (const auto& p : uniaxial) {
@@ -49,9 +51,7 @@ TEST(UniaxialTension, NeoHookean) {
 
 TEST(UniaxialTension, Skalak) {
   for (const auto& p : uniaxial) {
-    const struct {
-      double c, t1;
-    } cases[] = {{1, p.skalak1}, {10, p.skalak10}, {100, p.skalak100}};
+    const struct { double c, t1; } cases[] = {{1, p.skalak1}, {10, p.skalak10}, {100, p.skalak100}};
     for (const auto& k : cases) {
       const Tensions t = tensions<Skalak>({1.0, k.c}, p.l1, skalak_lateral_stretch(k.c, p.l1));
       EXPECT_NEAR(t.t1, k.t1, 1e-4 * k.t1);
@@ -64,7 +64,9 @@ TEST(SphereInflation, PressureOfNeoHookeanAndSkalak) {
   // p R0/G_s = 2 T / (G_s l) at equal stretches.
   const struct {
     double l, nh, skalak1, skalak10;
-  } points[] = {{1.05, .48340, .64780, 4.7209}, {1.1, .79187, 1.40283, 10.592}, {1.2, 1.10849, 3.3100, 26.50},
+  } points[] = {{1.05, .48340, .64780, 4.7209},
+                {1.1, .79187, 1.40283, 10.592},
+                {1.2, 1.10849, 3.3100, 26.50},
                 {1.5, 1.21629, 13.854, 123.54}};
   for (const auto& p : points) {
     EXPECT_NEAR(2 * tensions<NeoHookean>({1.0}, p.l, p.l).t1 / p.l, p.nh, 2e-5);
