@@ -11,6 +11,7 @@
 #include "contact/minimum_gap.h"
 #include "coupling/coupling.h"
 #include "coupling/stopwatch.h"
+#include "geometry/cell_shape.h"
 #include "geometry/vec3.h"
 #include "simulation/start.h"
 
@@ -28,19 +29,6 @@ Units units_of(const Setup& setup) {
 
 double cell_time_step(const Setup& setup) {
   return setup.coupling.steps_per_solve * setup.time_step;
-}
-
-/// Volume (um3) enclosed by a surface of outward triangles: the sum of the tetrahedra over the origin.
-double enclosed_volume(std::span<const double> xyz, std::span<const std::int32_t> triangles) {
-  const auto corner = [&](std::size_t i) {
-    const auto v = static_cast<std::size_t>(triangles[i]);
-    return Vec3{xyz[3 * v], xyz[3 * v + 1], xyz[3 * v + 2]};
-  };
-  double six_volumes = 0;
-  for (std::size_t t = 0; t + 2 < triangles.size(); t += 3) {
-    six_volumes += dot(corner(t), cross(corner(t + 1), corner(t + 2)));
-  }
-  return six_volumes / 6.0;
 }
 
 }  // namespace
