@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <type_traits>
+
 #include "energies/dihedral_bending.h"
 #include "energies/global.h"
 #include "energies/lineage_area.h"
@@ -25,10 +27,34 @@ void for_each_energy(TypeList<Types...>, F&& f) {
   (f(Type<Types>{}), ...);
 }
 
+template <class... Types>
+constexpr int list_length(TypeList<Types...>) {
+  return sizeof...(Types);
+}
+
+/// Place of an energy in its list.
+template <class E, class First, class... Rest>
+constexpr int index_in(TypeList<First, Rest...>) {
+  if constexpr (std::is_same_v<E, First>) {
+    return 0;
+  } else {
+    return 1 + index_in<E>(TypeList<Rest...>{});
+  }
+}
+
+template <class... As, class... Bs>
+TypeList<As..., Bs...> joined(TypeList<As...>, TypeList<Bs...>);
+
 // The energies of the library. A new one is a header and one word here.
 
-using ElementEnergies = TypeList<Membrane<Skalak>, Membrane<NeoHookean>, Membrane<LineageSurfaceMaterial>,
-                                 Membrane<LineageArea>, LineageBending, DihedralBending>;
+/// Laws of a membrane of triangles: those on one triangle share its strain.
+using MembraneEnergies = TypeList<Membrane<Skalak>, Membrane<NeoHookean>, Membrane<LineageSurfaceMaterial>,
+                                  Membrane<LineageArea>>;
+/// Other energies of a fixed number of vertices; each element stands alone.
+using LoneElementEnergies = TypeList<LineageBending, DihedralBending>;
+using ElementEnergies = decltype(joined(MembraneEnergies{}, LoneElementEnergies{}));
+/// Energies of any number of vertices.
+using GroupEnergies = TypeList<>;
 using CellEnergies = TypeList<GlobalArea, GlobalVolume, LineageVolume>;
 
 }  // namespace npfem

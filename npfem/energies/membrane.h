@@ -28,13 +28,49 @@ NPFEM_HD TriangleRest<R> triangle_rest(const Vec3<R> (&rest)[3]) {
   return {g22 / determinant, -g12 / determinant, g11 / determinant, R(0.5) * norm(cross(e1, e2))};
 }
 
+/// A deformed triangle, as every law of the membrane sees it.
+template <class T>
+struct TriangleStrain {
+  Vec3<T> e1, e2;       ///< edges x1 - x0 and x2 - x0, um
+  Vec3<T> area_vector;  ///< e1 x e2: twice the area along the outward normal, um^2
+  Vec3<T> unit_normal;  ///< zero for a triangle collapsed to a line: its area then pulls nowhere
+  T twice_area;         ///< um^2
+  T square_sum;         ///< t = l1^2 + l2^2
+  T area_ratio;         ///< J = l1 l2
+};
+
+template <class T, class R>
+NPFEM_HD TriangleStrain<T> triangle_strain(const Vec3<T> (&x)[3], const TriangleRest<R>& rest) {
+  TriangleStrain<T> s;
+  s.e1 = x[1] - x[0], s.e2 = x[2] - x[0];
+  s.area_vector = cross(s.e1, s.e2);
+  s.twice_area = norm(s.area_vector);
+  s.unit_normal = (T(1) / larger(s.twice_area, T(1e-30f))) * s.area_vector;
+  s.square_sum = rest.inverse_metric_11 * dot(s.e1, s.e1) + R(2) * rest.inverse_metric_12 * dot(s.e1, s.e2) +
+                 rest.inverse_metric_22 * dot(s.e2, s.e2);
+  s.area_ratio = R(0.5) / rest.area * s.twice_area;
+  return s;
+}
+
+/// dE/dx (pN) of E = A0 W, from the response of one law or the sum of the responses of several.
+template <class T, class R>
+NPFEM_HD void triangle_gradient(const TriangleStrain<T>& s, const TriangleRest<R>& rest, const SurfaceResponse<T>& w,
+                                Vec3<T> (&gradient)[3]) {
+  const T a = R(2) * rest.area * w.by_square_sum;
+  const T b = R(0.5) * w.by_area_ratio;
+  gradient[1] = a * (rest.inverse_metric_11 * s.e1 + rest.inverse_metric_12 * s.e2) + b * cross(s.e2, s.unit_normal);
+  gradient[2] = a * (rest.inverse_metric_12 * s.e1 + rest.inverse_metric_22 * s.e2) + b * cross(s.unit_normal, s.e1);
+  gradient[0] = -(gradient[1] + gradient[2]);
+}
+
 /// An isotropic membrane made of linear triangles: E = A0 W(t, J) for each.
 ///
 /// Law supplies `name`, `Params<R>`, `zero_at_rest`, `respond(t, J, params)` and `stiffness(params)`: the modulus
 /// (uN/m) by which the law enters the quasi-Newton matrix. Any number of laws may share one strain of a triangle.
 /// Source: constant-strain triangle in principal stretches, e.g. Charrier, Shrivastava & Wu 1989.
-template <class Law>
+template <class ElasticLaw>
 struct Membrane {
+  using Law = ElasticLaw;
   static constexpr const char* name = Law::name;
   static constexpr int num_vertices = 3;
   static constexpr bool zero_at_rest = Law::zero_at_rest;
@@ -53,22 +89,9 @@ struct Membrane {
   template <class T, class R>
   NPFEM_HD static T energy_gradient(const Vec3<T> (&x)[3], const Rest<R>& rest, const Params<R>& params,
                                     Vec3<T> (&gradient)[3]) {
-    const Vec3<T> e1 = x[1] - x[0], e2 = x[2] - x[0];
-    const Vec3<T> normal = cross(e1, e2);
-    const T twice_area = norm(normal);
-    const T square_sum = rest.inverse_metric_11 * dot(e1, e1) + R(2) * rest.inverse_metric_12 * dot(e1, e2) +
-                         rest.inverse_metric_22 * dot(e2, e2);
-    const T area_ratio = R(0.5) / rest.area * twice_area;
-
-    const SurfaceResponse<T> w = Law::respond(square_sum, area_ratio, params);
-
-    // A triangle collapsed to a line has no normal: the area then pulls nowhere.
-    const Vec3<T> unit_normal = (T(1) / larger(twice_area, T(1e-30f))) * normal;
-    const T a = R(2) * rest.area * w.by_square_sum;
-    const T b = R(0.5) * w.by_area_ratio;
-    gradient[1] = a * (rest.inverse_metric_11 * e1 + rest.inverse_metric_12 * e2) + b * cross(e2, unit_normal);
-    gradient[2] = a * (rest.inverse_metric_12 * e1 + rest.inverse_metric_22 * e2) + b * cross(unit_normal, e1);
-    gradient[0] = -(gradient[1] + gradient[2]);
+    const TriangleStrain<T> strain = triangle_strain(x, rest);
+    const SurfaceResponse<T> w = Law::respond(strain.square_sum, strain.area_ratio, params);
+    triangle_gradient(strain, rest, w, gradient);
     return rest.area * w.energy;
   }
 

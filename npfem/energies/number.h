@@ -10,17 +10,17 @@ namespace npfem {
 // What an energy asks of its number type T besides + - * /. A pack of SIMD lanes offers the same functions, which is
 // why energies choose with select() and never with `if`: every lane may take another side.
 
-NPFEM_HD inline double square_root(double a) {
+NPFEM_HD double square_root(double a) {
   return ::sqrt(a);
 }
-NPFEM_HD inline float square_root(float a) {
+NPFEM_HD float square_root(float a) {
   return ::sqrtf(a);
 }
 
-NPFEM_HD inline double select(bool condition, double yes, double no) {
+NPFEM_HD double select(bool condition, double yes, double no) {
   return condition ? yes : no;
 }
-NPFEM_HD inline float select(bool condition, float yes, float no) {
+NPFEM_HD float select(bool condition, float yes, float no) {
   return condition ? yes : no;
 }
 

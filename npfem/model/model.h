@@ -67,23 +67,13 @@ struct Model {
   std::vector<std::string> energy_names() const;
 };
 
-/// Index of an energy in CellEnergies, for its entry in Model::cell_terms (two energies may share a parameter type).
-template <class E, class First, class... Rest>
-constexpr std::size_t index_in(TypeList<First, Rest...>) {
-  if constexpr (std::is_same_v<E, First>) {
-    return 0;
-  } else {
-    return 1 + index_in<E>(TypeList<Rest...>{});
-  }
-}
-
 template <class E>
 const auto& cell_term(const Model& model) {
-  return std::get<index_in<E>(CellEnergies{})>(model.cell_terms);
+  return std::get<static_cast<std::size_t>(index_in<E>(CellEnergies{}))>(model.cell_terms);
 }
 template <class E>
 auto& cell_term(Model& model) {
-  return std::get<index_in<E>(CellEnergies{})>(model.cell_terms);
+  return std::get<static_cast<std::size_t>(index_in<E>(CellEnergies{}))>(model.cell_terms);
 }
 
 }  // namespace npfem
