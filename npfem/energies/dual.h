@@ -37,12 +37,12 @@ struct Dual {
 };
 
 /// The square root has no slope at zero; there the length of a vector is taken as constant.
-NPFEM_HD inline Dual square_root(const Dual& a) {
+NPFEM_HD Dual square_root(const Dual& a) {
   const double root = square_root(a.value);
   return {root, root > 0 ? 0.5 * a.slope / root : 0.0};
 }
 
-NPFEM_HD inline Dual select(bool condition, const Dual& yes, const Dual& no) {
+NPFEM_HD Dual select(bool condition, const Dual& yes, const Dual& no) {
   return condition ? yes : no;
 }
 
