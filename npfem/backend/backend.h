@@ -15,7 +15,18 @@
 namespace npfem {
 
 /// What is kept for every vertex of every cell. Units in npfem.h.
-enum class Field { position, velocity, external_force, ambient_velocity, ambient_mass, held_force, elastic_force };
+enum class Field {
+  position,
+  velocity,
+  external_force,
+  ambient_velocity,
+  ambient_mass,
+  held_force,
+  elastic_force,
+  tied_at  ///< where each vertex stood when a patch tied it; a back end's own, without a name
+};
+
+inline constexpr std::size_t num_fields = static_cast<std::size_t>(Field::tied_at) + 1;
 
 inline int components(Field field) {
   return field == Field::ambient_mass ? 1 : 3;

@@ -16,7 +16,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 using S = SolverOptions;
 
-constexpr std::array<OptionInfo, 14> table{{
+constexpr std::array<OptionInfo, 18> table{{
     {"time_step", "us", "time step of the cell solver", 1e-9, 1e12, &S::time_step},
     {"tolerance", "pN", "largest component of the residual force at which a cell has converged", 0, infinity,
      &S::tolerance},
@@ -28,6 +28,14 @@ constexpr std::array<OptionInfo, 14> table{{
     {"relax_iterations", "1", "iterations allowed in a static solve", 1, 1e9, &S::relax_iterations},
     {"history", "1", "pairs of steps and gradients kept by L-BFGS; 0 is plain quasi-Newton", 0, 1000, &S::history},
     {"max_line_search", "1", "trials allowed in one line search", 1, 1000, &S::max_line_search},
+    {"precision", "1", "back end cpu: 0 double; 1 mixed, float for matrices and history only; 2 float", 0, 2,
+     &S::precision},
+    {"threads", "1", "back end cpu: threads; 0 is OMP_NUM_THREADS, or one where that is not set", 0, 4096, &S::threads},
+    {"matrix", "1",
+     "back end cpu, quasi-Newton matrix: 0 chosen for each cell, 1 scalar weights, 2 Hessian of the rest shape", 0, 2,
+     &S::matrix},
+    {"lone_cells", "1", "back end cpu: 1 puts the elements of one cell into the SIMD lanes instead of many cells", 0, 1,
+     &S::lone_cells},
     {"lineage_alpha", "1", "lineage Calpha: share of the non-rigid velocity removed in each step", 0, 1,
      &S::lineage_alpha},
     {"lineage_beta", "us", "lineage Cbeta: damping proportional to the weight matrix", 0, infinity, &S::lineage_beta},

@@ -18,6 +18,11 @@ struct SolverOptions {
   int history = 7;               ///< pairs kept by L-BFGS
   int max_line_search = 20;      ///< trials per iteration
 
+  int precision = 0;   ///< back end cpu: 0 double; 1 mixed: float for matrices and history; 2 float
+  int threads = 0;     ///< back end cpu: 0 is OMP_NUM_THREADS, or one where that is not set
+  int matrix = 0;      ///< back end cpu: 0 chosen for each cell, 1 scalar weights, 2 Hessian of the rest shape
+  int lone_cells = 0;  ///< back end cpu: 1 puts the elements of one cell into the SIMD lanes instead of many cells
+
   bool lineage = false;      ///< step exactly as the lineage does
   double lineage_alpha = 0;  ///< Calpha: share of the non-rigid velocity removed in each step
   double lineage_beta = 0;   ///< Cbeta, us: damping proportional to the weight matrix

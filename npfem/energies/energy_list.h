@@ -48,8 +48,8 @@ TypeList<As..., Bs...> joined(TypeList<As...>, TypeList<Bs...>);
 // The energies of the library. A new one is a header and one word here.
 
 /// Laws of a membrane of triangles: those on one triangle share its strain.
-using MembraneEnergies = TypeList<Membrane<Skalak>, Membrane<NeoHookean>, Membrane<LineageSurfaceMaterial>,
-                                  Membrane<LineageArea>>;
+using MembraneEnergies =
+    TypeList<Membrane<Skalak>, Membrane<NeoHookean>, Membrane<LineageSurfaceMaterial>, Membrane<LineageArea>>;
 /// Other energies of a fixed number of vertices; each element stands alone.
 using LoneElementEnergies = TypeList<LineageBending, DihedralBending>;
 using ElementEnergies = decltype(joined(MembraneEnergies{}, LoneElementEnergies{}));

@@ -31,6 +31,7 @@ struct CellRest {
 /// Total area: E = (k_A/2) (A - A0)^2 / A0. The bilayer slides over the skeleton but hardly stretches.
 struct GlobalArea {
   static constexpr const char* name = "global_area";
+  static constexpr bool uses_area = true, uses_volume = false;
   static constexpr bool exact_gradient = true;
   template <class R>
   struct Params {
@@ -46,6 +47,7 @@ struct GlobalArea {
 /// Enclosed volume: E = (k_V/2) (V - V0)^2 / V0. The membrane passes no water on the time scale of flow.
 struct GlobalVolume {
   static constexpr const char* name = "global_volume";
+  static constexpr bool uses_area = false, uses_volume = true;
   static constexpr bool exact_gradient = true;
   template <class R>
   struct Params {
@@ -62,6 +64,7 @@ struct GlobalVolume {
 ///   E = (k/2) (V - V0)^2 / |grad V|^2, with a force that leaves out how |grad V| varies.
 struct LineageVolume {
   static constexpr const char* name = "lineage_volume";
+  static constexpr bool uses_area = false, uses_volume = true;
   static constexpr bool exact_gradient = false;
   template <class R>
   struct Params {

@@ -29,9 +29,11 @@ NPFEM_HD T larger(const T& a, const T& b) {
   return select(a < b, b, a);
 }
 
+/// On a bound the bound is returned, so that a derivative sees a constant there: with least = largest it never sees
+/// `a`.
 template <class T>
 NPFEM_HD T clamp(const T& a, const T& least, const T& largest) {
-  return select(a < least, least, select(largest < a, largest, a));
+  return select(least < a, select(a < largest, a, largest), least);
 }
 
 }  // namespace npfem

@@ -8,6 +8,7 @@
 
 #include "backend/reference/elasticity.h"
 #include "backend/reference/lbfgs.h"
+#include "backend/reference/lineage_contacts.h"
 
 namespace npfem {
 namespace {
@@ -24,16 +25,8 @@ struct Contact {
 std::vector<Contact> find_contacts(std::span<const LineageObstacle> obstacles, const VertexField& position) {
   std::vector<Contact> contacts;
   for (int i = 0; i < position.rows(); ++i) {
-    const LineageObstacle* nearest = nullptr;
-    double least = 0;
-    for (const LineageObstacle& o : obstacles) {
-      const double square = (position.row(i) - Eigen::RowVector3d(o.target[0], o.target[1], o.target[2])).squaredNorm();
-      if (!nearest || square < least) {
-        nearest = &o;
-        least = square;
-      }
-    }
-    if (nearest && std::sqrt(least) <= nearest->threshold) {
+    const auto [nearest, distance] = nearest_obstacle(obstacles, {position(i, 0), position(i, 1), position(i, 2)});
+    if (nearest && distance <= nearest->threshold) {
       const Eigen::RowVector3d normal(nearest->normal[0], nearest->normal[1], nearest->normal[2]);
       const Eigen::RowVector3d point(nearest->target[0], nearest->target[1], nearest->target[2]);
       contacts.push_back({i, point + nearest->stand_off * normal, normal, nearest->weight});

@@ -38,7 +38,8 @@ struct Deviation {
   double position, extent;  ///< um
 };
 
-class LineageRun : public ::testing::Test {
+/// By back end.
+class LineageRun : public ::testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
     if (std::filesystem::exists(data)) return;
@@ -48,7 +49,7 @@ class LineageRun : public ::testing::Test {
 
   static Deviation reproduce(const std::string& name, int steps, const SolverOptions& options) {
     const auto body = read_lineage_body(data + "/Case_Studies/RBC_Surface_mesh_258SurfVer");
-    Batch batch(std::make_shared<const Model>(build_lineage_model(body, {1125, 250})), "reference", 1);
+    Batch batch(std::make_shared<const Model>(build_lineage_model(body, {1125, 250})), GetParam(), 1);
     batch.options() = options;
     std::vector<double> force, recorded;
     for (const auto& row : read_table(data + "/reference_runs/" + name + "_final.csv")) {
@@ -95,17 +96,19 @@ class LineageRun : public ::testing::Test {
   }
 };
 
-TEST_F(LineageRun, Dynamic50pN) {
+INSTANTIATE_TEST_SUITE_P(BackEnds, LineageRun, ::testing::Values("reference", "cpu"));
+
+TEST_P(LineageRun, Dynamic50pN) {
   const Deviation d = reproduce("rbc_dynamic_50pN", 300, dynamic_options());
   EXPECT_LT(d.position, 1e-6);
   EXPECT_LT(d.extent, 1e-9);
 }
 
-TEST_F(LineageRun, Quasistatic150pN) {
+TEST_P(LineageRun, Quasistatic150pN) {
   EXPECT_LT(reproduce("rbc_quasistatic_150pN", 60, quasistatic_options()).position, 1e-4);
 }
 
-TEST_F(LineageRun, Quasistatic50pN) {
+TEST_P(LineageRun, Quasistatic50pN) {
   EXPECT_LT(reproduce("rbc_quasistatic_50pN", 60, quasistatic_options()).extent, 0.02);
 }
 

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "backend/cpu/cpu_backend.h"
+
+#include <algorithm>
+
+#include "backend/cpu/threads.h"
+#include "backend/reference/elasticity.h"
+#include "backend/reference/implicit_euler.h"
+#include "backend/reference/lineage_contacts.h"
+
+namespace npfem::cpu {
+namespace {
+
+StepSettings settings_from(const SolverOptions& o) {
+  StepSettings s{};
+  s.time_step = o.time_step, s.lead = o.time_step, s.past = 0;
+  s.tolerance = o.tolerance, s.residual_bound = o.residual_bound;
+  s.max_iterations = o.max_iterations, s.history = o.history, s.max_line_search = o.max_line_search;
+  s.matrix = o.matrix;
+  s.lineage = o.lineage;
+  s.lineage_alpha = o.lineage_alpha, s.lineage_beta = o.lineage_beta, s.lineage_tolerance = o.lineage_tolerance;
+  s.lineage_window = o.lineage_window, s.lineage_attempts = o.lineage_attempts;
+  s.lineage_armijo = o.lineage_armijo, s.lineage_curvature = o.lineage_curvature;
+  return s;
+}
+
+std::vector<double> solid_mass_in(std::span<const int> order, const Model& model) {
+  std::vector<double> mass;
+  for (const int v : order) mass.push_back(model.solid_mass[static_cast<std::size_t>(v)]);
+  return mass;
+}
+
+std::vector<double> centred_shape_in(std::span<const int> order, const Model& model) {
+  Point centre{0, 0, 0};
+  for (const Point& x : model.initial) {
+    for (std::size_t c = 0; c < 3; ++c) centre[c] += x[c] / static_cast<double>(model.initial.size());
+  }
+  std::vector<double> shape;
+  for (const int v : order) {
+    for (std::size_t c = 0; c < 3; ++c) shape.push_back(model.initial[static_cast<std::size_t>(v)][c] - centre[c]);
+  }
+  return shape;
+}
+
+/// Places in the kernels' ledger of the energies that the model evaluates, in the order of Model::energy_names().
+std::vector<int> energy_places(const Model& model) {
+  std::vector<int> places;
+  for_each_energy(ElementEnergies{}, [&](auto tag) {
+    using E = typename decltype(tag)::type;
+    if (model.block<E>().size() > 0) places.push_back(index_in<E>(ElementEnergies{}));
+  });
+  for_each_energy(CellEnergies{}, [&](auto tag) {
+    using E = typename decltype(tag)::type;
+    if (cell_term<E>(model)) places.push_back(first_cell_energy + index_in<E>(CellEnergies{}));
+  });
+  return places;
+}
+
+std::span<double> numbers(VertexField& field) {
+  return {field.data(), static_cast<std::size_t>(field.size())};
+}
+
+/// The patches in the kernels' numbers.
+template <class R>
+class PatchViews {
+ public:
+  PatchViews(std::span<const Patch> patches, std::span<const int> order) {
+    std::vector<int> place(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+    vertices_.reserve(patches.size());
+    for (const Patch& patch : patches) {
+      auto& vertices = vertices_.emplace_back();
+      for (const int v : patch.vertices) vertices.push_back(place[static_cast<std::size_t>(v)]);
+      views_.push_back({static_cast<int>(vertices.size()), vertices.data(), static_cast<R>(patch.stiffness)});
+    }
+  }
+  const PatchView<R>* data() const { return views_.data(); }
+  int count() const { return static_cast<int>(views_.size()); }
+
+ private:
+  std::vector<std::vector<int>> vertices_;
+  std::vector<PatchView<R>> views_;
+};
+
+}  // namespace
+
+CpuBackend::CpuBackend(std::shared_ptr<const Model> model, const KernelTable& kernels)
+    : model_(std::move(model)),
+      kernels_(kernels),
+      state_(elimination_order(model_->weight), model_->initial, kernels.float_lanes),
+      solid_mass_(solid_mass_in(state_.order(), *model_)),
+      rest_shape_(centred_shape_in(state_.order(), *model_)) {}
+
+template <>
+const CellPlan<double>& CpuBackend::plan() {
+  if (!plan_double_) plan_double_ = std::make_unique<PlanStorage<double>>(*model_, state_.order());
+  return plan_double_->plan();
+}
+template <>
+const CellPlan<float>& CpuBackend::plan() {
+  if (!plan_float_) plan_float_ = std::make_unique<PlanStorage<float>>(*model_, state_.order());
+  return plan_float_->plan();
+}
+
+void CpuBackend::add_cells(int count) {
+  state_.resize(num_cells() + count);
+  reports_.resize(static_cast<std::size_t>(state_.num_blocks() * state_.lanes()));
+  energies_.resize(static_cast<std::size_t>(num_cells()) * model_->energy_names().size(), 0.0);
+  masses_are_known_ = false;
+}
+
+void CpuBackend::remove_cell(int cell) {
+  const auto c = static_cast<std::ptrdiff_t>(cell),
+             energies = static_cast<std::ptrdiff_t>(model_->energy_names().size());
+  for (int k = cell; k + 1 < num_cells(); ++k) state_.copy(k + 1, k);
+  reports_.erase(reports_.begin() + c);
+  reports_.emplace_back();
+  energies_.erase(energies_.begin() + c * energies, energies_.begin() + (c + 1) * energies);
+  state_.resize(num_cells() - 1);
+  masses_are_known_ = false;
+}
+
+void CpuBackend::write(Field field, int cell, std::span<const double> values) {
+  state_.write(field, cell, values);
+  if (field == Field::ambient_mass) {
+    masses_are_known_ = false;
+    if (state_.has(Field::ambient_mass)) state_.require(Field::held_force);
+  }
+}
+
+void CpuBackend::read(Field field, int cell, std::span<double> values) const {
+  state_.read(field, cell, values);
+}
+
+void CpuBackend::set_patches(std::vector<Patch> patches) {
+  // Patches known before keep the shape in which they were tied.
+  if (!patches.empty()) state_.require(Field::tied_at);
+  std::vector<double> position(3 * static_cast<std::size_t>(model_->num_vertices())), tied(position.size());
+  for (int c = 0; c < num_cells() && patches.size() > patches_.size(); ++c) {
+    state_.read(Field::position, c, position);
+    state_.read(Field::tied_at, c, tied);
+    for (std::size_t p = patches_.size(); p < patches.size(); ++p) {
+      for (const int v : patches[p].vertices) std::copy_n(position.begin() + 3 * v, 3, tied.begin() + 3 * v);
+    }
+    state_.write(Field::tied_at, c, tied);
+  }
+  patches_ = std::move(patches);
+  factors_.clear();
+}
+
+std::span<const double> CpuBackend::energies(int cell) const {
+  const std::size_t count = model_->energy_names().size();
+  return {energies_.data() + static_cast<std::size_t>(cell) * count, count};
+}
+
+void CpuBackend::find_mass_sets() {
+  if (masses_are_known_) return;
+  std::vector<double> mass(static_cast<std::size_t>(model_->num_vertices())), ordered(mass.size());
+  std::vector<std::vector<double>> sets;
+  mass_set_of_.assign(static_cast<std::size_t>(num_cells()), 0);
+  for (int c = 0; c < num_cells(); ++c) {
+    state_.read(Field::ambient_mass, c, mass);
+    for (std::size_t k = 0; k < mass.size(); ++k) ordered[k] = mass[static_cast<std::size_t>(state_.order()[k])];
+    const auto found = std::find(sets.begin(), sets.end(), ordered);
+    mass_set_of_[static_cast<std::size_t>(c)] = static_cast<int>(found - sets.begin());
+    if (found == sets.end()) sets.push_back(ordered);
+  }
+  if (sets != mass_sets_) factors_.clear();
+  mass_sets_ = std::move(sets);
+  masses_are_known_ = true;
+}
+
+const StepFactors& CpuBackend::factors(const FactorKey& key, bool with_hessian) {
+  for (auto cached = factors_.begin(); cached != factors_.end(); ++cached) {
+    if (!((*cached)->key() == key)) continue;
+    if ((*cached)->has_hessian() || !with_hessian) return **cached;
+    factors_.erase(cached);
+    break;
+  }
+  if (with_hessian && !rest_hessian_) rest_hessian_ = std::make_unique<RestHessian>(*model_, state_.order());
+  std::vector<double> mass = solid_mass_;
+  for (std::size_t k = 0; k < mass.size() && key.mass_set >= 0; ++k)
+    mass[k] += mass_sets_[static_cast<std::size_t>(key.mass_set)][k];
+  const std::size_t kept = mass_sets_.size() * 2 + 2;  // each with and without a past, and a time step in passing
+  if (factors_.size() >= kept) factors_.erase(factors_.begin());
+  factors_.push_back(std::make_unique<StepFactors>(*model_, state_.order(), key, mass, patches_,
+                                                   with_hessian ? rest_hessian_.get() : nullptr));
+  return *factors_.back();
+}
+
+const LineageFactors& CpuBackend::lineage_factors(double time_step, double beta) {
+  if (!lineage_factors_ || !lineage_factors_->is_for(time_step, beta))
+    lineage_factors_ = std::make_unique<LineageFactors>(*model_, state_.order(), solid_mass_, time_step, beta);
+  return *lineage_factors_;
+}
+
+CellBlock CpuBackend::block_of(int block) {
+  CellBlock b;
+  b.stride = state_.lanes();
+  b.position = state_.block(Field::position, block);
+  b.velocity = state_.block(Field::velocity, block);
+  b.external_force = state_.block(Field::external_force, block);
+  b.ambient_velocity = state_.block(Field::ambient_velocity, block);
+  b.ambient_mass = state_.block(Field::ambient_mass, block);
+  b.held_force = state_.block(Field::held_force, block);
+  b.tied_at = patches_.empty() ? nullptr : state_.block(Field::tied_at, block);
+  b.report = reports_.data() + static_cast<std::ptrdiff_t>(block) * state_.lanes();
+  return b;
+}
+
+/// For each vertex of a block the nearest obstacle point within its threshold: the plane's point (3), its normal (3)
+/// and the weight, 0 where there is none.
+void CpuBackend::find_contacts(int block, std::vector<double>& contacts) {
+  const int n = model_->num_vertices(), lanes = state_.lanes();
+  contacts.assign(static_cast<std::size_t>(7 * n * lanes), 0.0);
+  const double* const position = state_.block(Field::position, block);
+  const auto at = [lanes](int row, int lane) { return static_cast<std::size_t>(row * lanes + lane); };
+  for (int lane = 0; lane < lanes; ++lane) {
+    for (int v = 0; v < n; ++v) {
+      const Point x{position[at(3 * v, lane)], position[at(3 * v + 1, lane)], position[at(3 * v + 2, lane)]};
+      const NearestObstacle nearest = nearest_obstacle(obstacles_, x);
+      if (!nearest.obstacle || nearest.distance > nearest.obstacle->threshold) continue;
+      const LineageObstacle& o = *nearest.obstacle;
+      for (int c = 0; c < 3; ++c) {
+        const auto axis = static_cast<std::size_t>(c);
+        contacts[at(7 * v + c, lane)] = o.target[axis] + o.stand_off * o.normal[axis];
+        contacts[at(7 * v + 3 + c, lane)] = o.normal[axis];
+      }
+      contacts[at(7 * v + 6, lane)] = o.weight;
+    }
+  }
+}
+
+template <class R, class H>
+void CpuBackend::step_in(const SolverOptions& options, void (*kernel)(const StepTask<R, H>&), int cells_per_call) {
+  const StepSettings settings = settings_from(options);
+  const CellPlan<R>& cell_plan = plan<R>();
+  std::vector<StepMatrices<H>> matrices;
+  LineageMatrices<R> lineage;
+  if (options.lineage) {
+    const FactorKey key{options.time_step, -1, 1 + options.lineage_beta / options.time_step};
+    matrices.assign(mass_sets_.size(), factors(key, false).template view<H>());
+    lineage = lineage_factors(options.time_step, options.lineage_beta).view(R{});
+  } else {
+    for (std::size_t s = 0; s < mass_sets_.size(); ++s)
+      matrices.push_back(factors({settings.lead, static_cast<int>(s), 1}, options.matrix != 1).template view<H>());
+  }
+  const PatchViews<R> patches(patches_, state_.order());
+
+  const std::size_t bytes = kernels_.workspace_bytes(cell_plan.num_vertices, settings.history);
+  const int threads = thread_count(options.threads, state_.num_blocks());
+  std::vector<AlignedVector<char>> workspaces(static_cast<std::size_t>(threads));
+  std::vector<std::vector<double>> contacts(static_cast<std::size_t>(threads));
+  for_each_piece(state_.num_blocks(), threads, [&](int block, int thread) {
+    const auto t = static_cast<std::size_t>(thread);
+    if (workspaces[t].empty()) workspaces[t].resize(bytes);
+    StepTask<R, H> task{};
+    task.plan = &cell_plan;
+    task.settings = &settings;
+    task.lineage = &lineage;
+    task.patches = patches.data();
+    task.num_patches = patches.count();
+    task.solid_mass = solid_mass_.data();
+    task.rest_shape = rest_shape_.data();
+    task.block = block_of(block);
+    task.workspace = workspaces[t].data();
+    if (options.lineage && !obstacles_.empty()) {
+      find_contacts(block, contacts[t]);
+      task.block.contact = contacts[t].data();
+    }
+    for (task.first_lane = 0; task.first_lane < state_.lanes(); task.first_lane += cells_per_call) {
+      for (std::size_t s = 0; s < mass_sets_.size(); ++s) {
+        task.active = lanes_with(block * state_.lanes() + task.first_lane, cells_per_call, static_cast<int>(s));
+        task.matrices = &matrices[s];
+        if (task.active != 0) kernel(task);
+      }
+    }
+  });
+}
+
+std::uint32_t CpuBackend::lanes_with(int first_cell, int cells, int mass_set) const {
+  std::uint32_t lanes = 0;
+  for (int l = 0; l < cells && first_cell + l < num_cells(); ++l) {
+    if (mass_set_of_[static_cast<std::size_t>(first_cell + l)] == mass_set) lanes |= 1u << l;
+  }
+  return lanes;
+}
+
+void CpuBackend::step(const SolverOptions& options) {
+  find_mass_sets();
+  const bool lone = options.lone_cells != 0;
+  switch (options.precision) {
+    case 0:
+      return step_in<double, double>(options, lone ? kernels_.lone_step_double : kernels_.step_double,
+                                     lone ? 1 : kernels_.double_lanes);
+    case 1:
+      return step_in<double, float>(options, lone ? kernels_.lone_step_mixed : kernels_.step_mixed,
+                                    lone ? 1 : kernels_.double_lanes);
+    default:
+      return step_in<float, float>(options, lone ? kernels_.lone_step_float : kernels_.step_float,
+                                   lone ? 1 : kernels_.float_lanes);
+  }
+}
+
+void CpuBackend::relax(const SolverOptions& options, const std::atomic<bool>& stop) {
+  const Eigen::VectorXd anchor =
+      Eigen::VectorXd::Constant(model_->num_vertices(), 1e-6 * model_->weight.diagonal().mean());
+  const StepFactor factor(*model_, anchor, 1.0, patches_);
+  for_each_piece(num_cells(), thread_count(options.threads, num_cells()), [&](int cell, int) {
+    if (stop.load(std::memory_order_relaxed)) return;
+    CellState state = cell_state(cell);
+    relax_cell(*model_, factor, patches_, options, state);
+    reports_[static_cast<std::size_t>(cell)] = state.report;
+    state_.write(Field::position, cell, numbers(state.position));
+    state_.write(Field::velocity, cell, numbers(state.velocity));
+  });
+}
+
+CellState CpuBackend::cell_state(int cell) const {
+  CellState state;
+  const auto n = static_cast<Eigen::Index>(model_->num_vertices());
+  const auto get = [&](Field field, VertexField& values) {
+    values.resize(n, 3);
+    state_.read(field, cell, numbers(values));
+  };
+  get(Field::position, state.position);
+  get(Field::velocity, state.velocity);
+  get(Field::external_force, state.external_force);
+  get(Field::tied_at, state.tied_at);
+  return state;
+}
+
+void CpuBackend::evaluate() {
+  state_.require(Field::elastic_force);
+  const CellPlan<double>& cell_plan = plan<double>();
+  const std::size_t bytes = kernels_.workspace_bytes(cell_plan.num_vertices, 0);
+  const std::vector<int> places = energy_places(*model_);
+  AlignedVector<char> workspace(bytes);
+  std::vector<double> energies(static_cast<std::size_t>(num_energies * state_.lanes()));
+  for (int block = 0; block < state_.num_blocks(); ++block) {
+    EvaluateTask<double> task{&cell_plan,      block_of(block), 0, state_.block(Field::elastic_force, block),
+                              energies.data(), workspace.data()};
+    for (; task.first_lane < state_.lanes(); task.first_lane += kernels_.double_lanes) kernels_.evaluate(task);
+    for (int lane = 0; lane < state_.lanes() && block * state_.lanes() + lane < num_cells(); ++lane) {
+      const auto cell = static_cast<std::size_t>(block * state_.lanes() + lane);
+      for (std::size_t e = 0; e < places.size(); ++e)
+        energies_[cell * places.size() + e] = energies[static_cast<std::size_t>(places[e] * state_.lanes() + lane)];
+    }
+  }
+}
+
+}  // namespace npfem::cpu

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "backend/backend.h"
+#include "backend/cpu/plan_storage.h"
+#include "backend/cpu/state_blocks.h"
+#include "backend/cpu/step_factors.h"
+#include "backend/reference/cell_state.h"
+
+namespace npfem::cpu {
+
+/// The fast back end: cells in the SIMD lanes, blocks of cells on the threads, the kernels chosen at run time for the
+/// machine's instruction set. Its algorithm is that of the back end "reference", to rounding. A cell's bits depend on
+/// the instruction set, the precision and its own state: not on the other cells, its lane, its block or the threads.
+class CpuBackend final : public Backend {
+ public:
+  CpuBackend(std::shared_ptr<const Model> model, const KernelTable& kernels);
+
+  int num_cells() const override { return state_.num_cells(); }
+  void add_cells(int count) override;
+  void remove_cell(int cell) override;
+  void write(Field field, int cell, std::span<const double> values) override;
+  void read(Field field, int cell, std::span<double> values) const override;
+  void set_patches(std::vector<Patch> patches) override;
+  void set_obstacles(std::vector<LineageObstacle> obstacles) override { obstacles_ = std::move(obstacles); }
+  void step(const SolverOptions& options) override;
+  void relax(const SolverOptions& options, const std::atomic<bool>& stop) override;
+  void evaluate() override;
+  CellReport report(int cell) const override { return reports_[static_cast<std::size_t>(cell)]; }
+  std::span<const double> energies(int cell) const override;
+
+ private:
+  template <class R>
+  const CellPlan<R>& plan();
+  void find_mass_sets();
+  CellBlock block_of(int block);
+  template <class R, class H>
+  void step_in(const SolverOptions& options, void (*kernel)(const StepTask<R, H>&), int cells_per_call);
+  const StepFactors& factors(const FactorKey& key, bool with_hessian);
+  const LineageFactors& lineage_factors(double time_step, double beta);
+  std::uint32_t lanes_with(int first_cell, int cells, int mass_set) const;
+  CellState cell_state(int cell) const;
+  void find_contacts(int block, std::vector<double>& contacts);
+
+  std::shared_ptr<const Model> model_;
+  const KernelTable& kernels_;
+  StateBlocks state_;
+  std::vector<CellReport> reports_;  // whole blocks
+  std::vector<double> energies_;     // per cell, in the order of Model::energy_names()
+  std::vector<Patch> patches_;
+  std::vector<LineageObstacle> obstacles_;
+
+  std::unique_ptr<PlanStorage<double>> plan_double_;
+  std::unique_ptr<PlanStorage<float>> plan_float_;
+  std::vector<double> solid_mass_, rest_shape_;  // in the kernels' order
+
+  std::vector<std::vector<double>> mass_sets_;  // ambient masses that occur, in the kernels' order
+  std::vector<int> mass_set_of_;                // by cell
+  bool masses_are_known_ = false;
+  std::unique_ptr<RestHessian> rest_hessian_;
+  std::vector<std::unique_ptr<StepFactors>> factors_;
+  std::unique_ptr<LineageFactors> lineage_factors_;
+};
+
+}  // namespace npfem::cpu

@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <initializer_list>
+
+#include "backend/cpu/kernel/cell_fields.h"
+#include "backend/cpu/kernel/epsilon.h"
+
+namespace npfem::NPFEM_ISA {
+
+/// One implicit step of W cells at once, or of one: the algorithm of the back end "reference" (implicit_euler.h,
+/// minimise.cpp, objective.cpp), which says what each formula means. All cells iterate together; one that has converged
+/// or failed stands still until the others are done, and nothing a cell does is felt by its neighbours.
+template <class Shape, class R, class H, int W>
+class ImplicitStep {
+  using P = Pack<R, W>;
+  using M = Mask<R, W>;
+  using Fields = CellFields<Shape, R>;
+  static constexpr int cells = Shape::cells;
+
+ public:
+  ImplicitStep(const cpu::StepTask<R, H>& task, Carver& memory)
+      : task_(task),
+        settings_(*task.settings),
+        plan_(*task.plan),
+        n_(plan_.num_vertices),
+        length_(Shape::length(n_)),
+        fields_(task.block, task.first_lane, n_),
+        search_(*task.matrices, n_, settings_.history, memory) {
+    for (P** field : {&start_, &inertia_, &drift_, &force_, &tied_, &here_, &there_, &gradient_, &trial_gradient_,
+                      &direction_, &position_, &area_gradient_, &volume_gradient_}) {
+      *field = memory.take<P>(length_);
+    }
+  }
+
+  void run() {
+    prepare();
+    choose_matrix();
+    minimise();
+    for (int l = 0; l < cells; ++l) {
+      if ((task_.active >> l & 1u) == 0) continue;
+      task_.block.report[task_.first_lane + l] = report_[l];
+      if (!has_failed(report_[l].status)) finish(l);
+    }
+  }
+
+ private:
+  void prepare() {
+    if (cells == 1) {  // the tails of the fields
+      for (P* field : {start_, inertia_, drift_, force_, tied_, here_, there_, direction_})
+        field[length_ - 1] = P(R(0));
+    }
+    const cpu::CellBlock& b = task_.block;
+    const double per_square = 1 / (settings_.lead * settings_.lead);
+    for (int i = 0; i < n_; ++i) {
+      double fluid_mass[cells], per_mass[cells];
+      for (int l = 0; l < cells; ++l) {
+        fluid_mass[l] = b.ambient_mass ? fields_.from(b.ambient_mass, i)[l] : 0.0;
+        const double mass = task_.solid_mass[i] + fluid_mass[l];
+        per_mass[l] = mass > 0 ? 1 / mass : 0;  // lanes without a cell have no mass
+      }
+      for (int c = 0; c < 3; ++c) prepare_row(3 * i + c, per_square, fluid_mass, per_mass);
+    }
+  }
+
+  void prepare_row(int row, double per_square, const double* fluid_mass, const double* per_mass) {
+    const double dt = settings_.time_step, past = settings_.past;
+    const cpu::CellBlock& b = task_.block;
+    const double solid = task_.solid_mass[row / 3];
+    const double* const x = fields_.from(b.position, row);
+    const double* const v = fields_.from(b.velocity, row);
+    const double* const u = b.ambient_velocity ? fields_.from(b.ambient_velocity, row) : nullptr;
+    const double* const external = b.external_force ? fields_.from(b.external_force, row) : nullptr;
+    const double* const held = b.held_force ? fields_.from(b.held_force, row) : nullptr;
+    for (int l = 0; l < cells; ++l) {
+      const double going_on = v[l] + (past > 0 ? past * dt * fields_.from(b.lag_acceleration, row)[l] : 0.0);
+      const double momentum = solid * going_on + (u ? fluid_mass[l] * u[l] : 0.0);
+      const double drift = past * last_move(row, l) + settings_.lead * per_mass[l] * momentum;
+      Fields::row(start_, row)[l] = static_cast<R>(x[l] - fields_.centre[l][row % 3]);
+      Fields::row(inertia_, row)[l] = static_cast<R>((solid + fluid_mass[l]) * per_square);
+      Fields::row(drift_, row)[l] = static_cast<R>(drift);
+      Fields::row(here_, row)[l] = static_cast<R>(drift);
+      Fields::row(force_, row)[l] = static_cast<R>((external ? external[l] : 0.0) - (held ? held[l] : 0.0));
+      if (b.tied_at) Fields::row(tied_, row)[l] = static_cast<R>(x[l] - fields_.from(b.tied_at, row)[l]);
+    }
+  }
+
+  /// x_n - x_{n-1} where the integrator looks back, um.
+  double last_move(int row, int l) const {
+    if (!(settings_.past > 0)) return 0;
+    return settings_.time_step *
+           (fields_.from(task_.block.velocity, row)[l] + fields_.from(task_.block.lag_velocity, row)[l]);
+  }
+
+  /// The Hessian of the rest shape is the better guide where the cell still resembles that shape, whichever way it is
+  /// turned; far from it the scalar matrix is cheaper and no worse (docs/solver.md).
+  void choose_matrix() {
+    Matrix3<P> rotation{};
+    M blocks = M::none();
+    if (task_.matrices->has_block && settings_.matrix != 1) {
+      P departure, strain(R(0));
+      rotation = orthogonal_factor<R>(moment(), departure);
+      for (int l = 0; l < W; ++l) {
+        const R change = strain_square(rotation, cells == 1 ? 0 : l);
+        strain.set(l, change);
+      }
+      blocks = departure < P(R(1e-4));
+      if (settings_.matrix == 0) blocks = blocks & (strain < P(R(largest_strain_square)));
+    }
+    search_.choose(blocks, rotation);
+  }
+
+  /// Sum of x X^T, X the shape at rest about its centre.
+  Matrix3<P> moment() const {
+    R sum[3][3][cells] = {};
+    for (int i = 0; i < n_; ++i) {
+      for (int a = 0; a < 3; ++a) {
+        const R* const x = Fields::row(start_, 3 * i + a);
+        for (int b = 0; b < 3; ++b) {
+          const R rest = static_cast<R>(task_.rest_shape[3 * i + b]);
+          for (int l = 0; l < cells; ++l) sum[a][b][l] += x[l] * rest;
+        }
+      }
+    }
+    Matrix3<P> m;
+    for (int a = 0; a < 3; ++a) {
+      P* const row[3] = {&m.row[a].x, &m.row[a].y, &m.row[a].z};
+      for (int b = 0; b < 3; ++b) {
+        for (int l = 0; l < W; ++l) row[b]->set(l, sum[a][b][cells == 1 ? 0 : l]);
+      }
+    }
+    return m;
+  }
+
+  /// Mean square distance to the turned shape at rest, over its mean square size.
+  R strain_square(const Matrix3<P>& q, int l) const {
+    R distance = 0, size = 0;
+    for (int i = 0; i < n_; ++i) {
+      const R rest[3] = {static_cast<R>(task_.rest_shape[3 * i]), static_cast<R>(task_.rest_shape[3 * i + 1]),
+                         static_cast<R>(task_.rest_shape[3 * i + 2])};
+      for (int a = 0; a < 3; ++a) {
+        const R turned = q.row[a].x[l] * rest[0] + q.row[a].y[l] * rest[1] + q.row[a].z[l] * rest[2];
+        const R gap = Fields::row(start_, 3 * i + a)[l] - turned;
+        distance += gap * gap;
+        size += rest[a] * rest[a];
+      }
+    }
+    return distance / size;
+  }
+
+  /// Phi at displacements d; writes its gradient and the sum of the magnitudes of its parts.
+  P evaluate(const P* d, P* gradient, P& scale) {
+    P kinetic(R(0)), work(R(0));
+    for (int i = 0; i < length_; ++i) {
+      const P from_drift = d[i] - drift_[i], pull = inertia_[i] * from_drift;
+      kinetic += pull * from_drift;
+      work += force_[i] * d[i];
+      gradient[i] = pull - force_[i];
+      position_[i] = start_[i] + d[i];
+    }
+    kinetic = R(0.5) * Shape::sum(kinetic);
+    work = Shape::sum(work);
+    P energies[cpu::num_energies];
+    for (P& e : energies) e = P(R(0));
+    const P elastic = Shape::forces(plan_, position_, gradient, area_gradient_, volume_gradient_, energies);
+    P held(R(0));
+    for (int p = 0; p < task_.num_patches; ++p) held += patch_energy(task_.patches[p], d, gradient);
+    scale = kinetic + magnitude(work) + magnitude(elastic) + held;
+    return kinetic - work + elastic + held;
+  }
+
+  /// Springs from the vertices of a patch to where its mean displacement would bring them.
+  P patch_energy(const cpu::PatchView<R>& patch, const P* d, P* gradient) {
+    P energy(R(0));
+    for (int c = 0; c < 3; ++c) {
+      R mean[cells] = {}, square[cells] = {};
+      for (int k = 0; k < patch.count; ++k) {
+        const int row = 3 * patch.vertices[k] + c;
+        for (int l = 0; l < cells; ++l) mean[l] += Fields::row(tied_, row)[l] + Fields::row(d, row)[l];
+      }
+      for (int l = 0; l < cells; ++l) mean[l] /= static_cast<R>(patch.count);
+      for (int k = 0; k < patch.count; ++k) {
+        const int row = 3 * patch.vertices[k] + c;
+        for (int l = 0; l < cells; ++l) {
+          const R departure = Fields::row(tied_, row)[l] + Fields::row(d, row)[l] - mean[l];
+          Fields::row(gradient, row)[l] += patch.stiffness * departure;
+          square[l] += departure * departure;
+        }
+      }
+      for (int l = 0; l < W; ++l) energy.set(l, energy[l] + R(0.5) * patch.stiffness * square[cells == 1 ? 0 : l]);
+    }
+    return energy;
+  }
+
+  P residual(const P* gradient) const {
+    P most(R(0));
+    for (int i = 0; i < length_; ++i) most = larger(most, magnitude(gradient[i]));
+    return Shape::largest(most);
+  }
+
+  P inner(const P* a, const P* b) const {
+    P sum(R(0)), second(R(0));
+    for (int i = 0; i + 1 < length_; i += 2) sum += a[i] * b[i], second += a[i + 1] * b[i + 1];
+    if (length_ % 2 == 1) sum += a[length_ - 1] * b[length_ - 1];
+    return Shape::sum(sum + second);
+  }
+
+  /// What rounding allows, or the tolerance asked for where that is more.
+  P tolerance() const {
+    P drift(R(0)), reach(R(0)), inertia(R(0));
+    for (int i = 0; i < length_; ++i) {
+      drift = larger(drift, magnitude(drift_[i]));
+      reach = larger(reach, magnitude(start_[i]));
+      inertia = larger(inertia, inertia_[i]);
+    }
+    const P attainable =
+        R(32) * epsilon<R> *
+        (Shape::largest(inertia) * Shape::largest(drift) + plan_.stiffest_diagonal * Shape::largest(reach));
+    return larger(P(static_cast<R>(settings_.tolerance)), attainable);
+  }
+
+  M active_lanes() const {
+    M lanes = M::none();
+    for (int l = 0; l < W; ++l) lanes.set(l, cells == 1 || (task_.active >> l & 1u) != 0);
+    return lanes;
+  }
+
+  void minimise() {
+    P scale, value = evaluate(here_, gradient_, scale);
+    const P limit = tolerance();
+    P worst = residual(gradient_);
+    M running = active_lanes();
+    for (int l = 0; l < cells; ++l) {
+      report_[l] = {};
+      report_[l].evaluations = 1;
+      report_[l].tolerance = static_cast<double>(limit[l]);
+    }
+    stop(running, !(is_finite(value) & is_finite(worst)), CellStatus::not_finite, worst);
+    stop(running, worst <= limit, CellStatus::converged, worst);
+    M remembers = M::none();
+    while (running.any()) {
+      stop_at_cap(running, worst);
+      if (!running.any()) break;
+      for (int l = 0; l < cells; ++l) report_[l].iterations += running[l] ? 1 : 0;
+      search_.direction(gradient_, direction_);
+      P slope = inner(gradient_, direction_);
+      const M uphill = running & !(slope < P(R(0)));
+      if (uphill.any()) {
+        search_.forget(uphill);
+        search_.direction(gradient_, direction_);
+        slope = inner(gradient_, direction_);
+      }
+      P next_value = value, next_scale = scale;
+      const M failed = line_search(running, slope, value, scale, next_value, next_scale);
+      if (failed.any()) {
+        // A cell with a memory tries again without it; one without has nowhere to go.
+        keep(failed);
+        next_value = select(failed, value, next_value);
+        next_scale = select(failed, scale, next_scale);
+        search_.forget(failed);
+        stop_failed(running, failed & !remembers, worst);
+      }
+      search_.remember(here_, there_, gradient_, trial_gradient_, R(1e-12));
+      remembers = (remembers | running) & !failed;
+      swap(here_, there_);
+      swap(gradient_, trial_gradient_);
+      value = next_value, scale = next_scale;
+      worst = residual(gradient_);
+      stop(running, worst <= limit, CellStatus::converged, worst);
+    }
+  }
+
+  /// Moves every running cell along its direction until its objective has fallen enough, or its change drowns in
+  /// rounding and the slope has become flatter (Hager & Zhang 2005). Returns the cells for which no trial did.
+  M line_search(M running, P slope, P value, P scale, P& next_value, P& next_scale) {
+    P step = select(running, P(R(1)), P(R(0)));
+    M searching = running;
+    for (int trial = 0; trial < settings_.max_line_search; ++trial) {
+      for (int i = 0; i < length_; ++i) there_[i] = here_[i] + step * direction_[i];
+      next_value = evaluate(there_, trial_gradient_, next_scale);
+      for (int l = 0; l < cells; ++l) report_[l].evaluations += searching[l] ? 1 : 0;
+      const P change = next_value - value;
+      const M finite = is_finite(next_value) & is_finite(residual(trial_gradient_));
+      const P noise = R(64) * epsilon<R> * larger(scale, next_scale);
+      const M fallen = change <= R(1e-4) * step * slope;
+      M accepted = finite & fallen;
+      if ((searching & !accepted).any()) {
+        const M flatter = magnitude(inner(trial_gradient_, direction_)) <= R(0.9) * magnitude(slope);
+        accepted = accepted | (finite & (magnitude(change) <= noise) & flatter);
+      }
+      searching = searching & !accepted;
+      if (!searching.any()) break;
+      // Minimum of the parabola through value, slope and the new value.
+      const P parabola = R(-0.5) * slope * step * step / (change - step * slope);
+      const P shorter = select(finite, clamp(parabola, R(0.1) * step, R(0.5) * step), R(0.1) * step);
+      step = select(searching, shorter, step);
+    }
+    return searching;
+  }
+
+  /// Puts the given cells back to where they are.
+  void keep(M lanes) {
+    for (int i = 0; i < length_; ++i) {
+      there_[i] = select(lanes, here_[i], there_[i]);
+      trial_gradient_[i] = select(lanes, gradient_[i], trial_gradient_[i]);
+    }
+  }
+
+  void stop(M& running, M these, CellStatus status, P worst) {
+    const M stopping = running & these;
+    for (int l = 0; l < cells; ++l) {
+      if (!stopping[l]) continue;
+      report_[l].status = status;
+      report_[l].residual = static_cast<double>(worst[l]);
+    }
+    running = running & !these;
+  }
+  void stop_at_cap(M& running, P worst) {
+    for (int l = 0; l < cells; ++l) {
+      if (!running[l] || report_[l].iterations < settings_.max_iterations) continue;
+      stop_lane(running, l, worst, CellStatus::not_converged);
+    }
+  }
+  void stop_failed(M& running, M lanes, P worst) {
+    for (int l = 0; l < cells; ++l) {
+      if (running[l] && lanes[l]) stop_lane(running, l, worst, CellStatus::no_descent);
+    }
+  }
+  void stop_lane(M& running, int l, P worst, CellStatus otherwise) {
+    const auto left = static_cast<double>(worst[l]);
+    report_[l].status = left <= settings_.residual_bound ? CellStatus::iteration_cap : otherwise;
+    report_[l].residual = left;
+    for (int k = 0; k < W; ++k) {
+      if (cells == 1 || k == l) running.set(k, false);
+    }
+  }
+
+  /// The rigid translation that makes momentum exact, then the new state of one cell.
+  void finish(int l) {
+    const cpu::CellBlock& b = task_.block;
+    const double dt = settings_.time_step;
+    double force[3] = {0, 0, 0}, inertia = 0;
+    for (int i = 0; i < n_; ++i) {
+      for (int c = 0; c < 3; ++c) force[c] += static_cast<double>(Fields::row(gradient_, 3 * i + c)[l]);
+      inertia += static_cast<double>(Fields::row(inertia_, 3 * i)[l]);
+    }
+    for (int i = 0; i < n_; ++i) {
+      const double fluid_mass = b.ambient_mass ? fields_.from(b.ambient_mass, i)[l] : 0.0;
+      for (int c = 0; c < 3; ++c) {
+        const int row = 3 * i + c;
+        const double d = static_cast<double>(Fields::row(here_, row)[l]) - force[c] / inertia;
+        double& v = fields_.from(b.velocity, row)[l];
+        const double velocity = (d - settings_.past * last_move(row, l)) / settings_.lead;
+        if (b.lag_velocity) {
+          fields_.from(b.lag_velocity, row)[l] = settings_.looks_back ? d / dt - velocity : 0.0;
+          fields_.from(b.lag_acceleration, row)[l] = settings_.looks_back ? (velocity - v) / dt : 0.0;
+        }
+        v = velocity;
+        fields_.from(b.position, row)[l] += d;
+        if (b.held_force && b.ambient_mass) {
+          const double u = b.ambient_velocity ? fields_.from(b.ambient_velocity, row)[l] : 0.0;
+          fields_.from(b.held_force, row)[l] += fluid_mass * (v - u) / dt;
+        }
+      }
+    }
+  }
+
+  template <class T>
+  static void swap(T*& a, T*& b) {
+    T* const c = a;
+    a = b;
+    b = c;
+  }
+
+  static constexpr double largest_strain_square = 0.02;
+
+  const cpu::StepTask<R, H>& task_;
+  const cpu::StepSettings& settings_;
+  const cpu::CellPlan<R>& plan_;
+  int n_, length_;
+  Fields fields_;
+  QuasiNewton<Shape, R, H, W> search_;
+  P *start_, *inertia_, *drift_, *force_, *tied_, *here_, *there_, *gradient_, *trial_gradient_, *direction_,
+      *position_, *area_gradient_, *volume_gradient_;
+  CellReport report_[cells];
+};
+
+}  // namespace npfem::NPFEM_ISA

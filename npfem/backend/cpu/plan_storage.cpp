@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "backend/cpu/plan_storage.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace npfem::cpu {
+namespace {
+
+/// Parameters and rest states are plain numbers (the contract test holds it): converted one by one.
+template <class To, class From>
+To in_numbers_of(const From& from, double, float) {
+  static_assert(sizeof(From) % sizeof(double) == 0 && sizeof(To) * sizeof(double) == sizeof(From) * sizeof(float));
+  std::array<double, sizeof(From) / sizeof(double)> numbers;
+  std::memcpy(numbers.data(), &from, sizeof(From));
+  std::array<float, sizeof(From) / sizeof(double)> narrowed;
+  std::transform(numbers.begin(), numbers.end(), narrowed.begin(), [](double v) { return static_cast<float>(v); });
+  To to;
+  std::memcpy(&to, narrowed.data(), sizeof(To));
+  return to;
+}
+template <class To, class From>
+To in_numbers_of(const From& from, double, double) {
+  return from;
+}
+
+template <class To, class R, class From>
+std::vector<To> all_in_numbers_of(const std::vector<From>& from) {
+  std::vector<To> to;
+  to.reserve(from.size());
+  for (const From& value : from) to.push_back(in_numbers_of<To>(value, double{}, R{}));
+  return to;
+}
+
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+template <class T>
+bool same_bits(const T* a, const std::vector<T>& b) {
+  return std::memcmp(a, b.data(), b.size() * sizeof(T)) == 0;
+}
+
+/// Plain vertex numbers of the elements of a block, in the kernels' numbering.
+template <class E>
+std::vector<int> vertices_of(const ElementBlock<E>& block, std::span<const int> place) {
+  std::vector<int> vertices;
+  for (const auto& element : block.vertices) {
+    for (const int v : element) vertices.push_back(place[static_cast<std::size_t>(v)]);
+  }
+  return vertices;
+}
+
+}  // namespace
+
+template <class R>
+template <class T>
+T* PlanStorage<R>::keep(std::vector<T> values) {
+  auto owner = std::make_shared<std::vector<T>>(std::move(values));
+  kept_.push_back(owner);
+  return owner->data();
+}
+
+template <class R>
+template <class E>
+void PlanStorage<R>::add_membrane(const Model& model, std::span<const int> place) {
+  const ElementBlock<E>& block = model.block<E>();
+  if (block.size() == 0) return;
+  const std::vector<int> vertices = vertices_of(block, place);
+  const auto rest = all_in_numbers_of<TriangleRest<R>, R>(block.rest);
+  auto params = all_in_numbers_of<typename E::template Params<R>, R>(block.params);
+  const bool uniform =
+      std::all_of(params.begin(), params.end(), [&](const auto& p) { return same_bits(p, params[0]); });
+  ParamView<E, R> law{keep(std::move(params)), uniform ? 0 : 1};
+  for (auto& group : groups_) {
+    if (group.count == static_cast<int>(block.size()) && same_bits(&group.vertices[0][0], vertices) &&
+        (!group.rest || same_bits(group.rest, rest))) {
+      group.rest = group.rest ? group.rest : keep(rest);
+      static_cast<ParamView<E, R>&>(group) = law;
+      return;
+    }
+  }
+  TriangleGroup<MembraneEnergies, R> group;
+  group.count = static_cast<int>(block.size());
+  group.vertices = reinterpret_cast<const int(*)[3]>(keep(vertices));
+  group.rest = keep(rest);
+  static_cast<ParamView<E, R>&>(group) = law;
+  groups_.push_back(group);
+}
+
+template <class R>
+template <class E>
+void PlanStorage<R>::add_elements(const Model& model, std::span<const int> place) {
+  const ElementBlock<E>& block = model.block<E>();
+  if (block.size() == 0) return;
+  auto params = all_in_numbers_of<typename E::template Params<R>, R>(block.params);
+  const bool uniform =
+      std::all_of(params.begin(), params.end(), [&](const auto& p) { return same_bits(p, params[0]); });
+  auto& view = plan_.elements.template of<E>();
+  view.count = static_cast<int>(block.size());
+  view.vertices = reinterpret_cast<const int(*)[E::num_vertices]>(keep(vertices_of(block, place)));
+  view.rest = keep(all_in_numbers_of<typename E::template Rest<R>, R>(block.rest));
+  view.params = {keep(std::move(params)), uniform ? 0 : 1};
+}
+
+template <class R>
+PlanStorage<R>::PlanStorage(const Model& model, std::span<const int> order) {
+  std::vector<int> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+
+  plan_.num_vertices = model.num_vertices();
+  plan_.rest = {static_cast<R>(model.rest.area), static_cast<R>(model.rest.volume)};
+  plan_.stiffest_diagonal = static_cast<R>(Eigen::VectorXd(model.weight.diagonal()).maxCoeff());
+
+  // The surface comes first: membrane laws upon the same triangles join it.
+  TriangleGroup<MembraneEnergies, R> surface;
+  std::vector<int> corners;
+  for (const Triangle& t : model.triangles) {
+    for (const int v : t) corners.push_back(place[static_cast<std::size_t>(v)]);
+  }
+  surface.count = static_cast<int>(model.triangles.size());
+  surface.vertices = reinterpret_cast<const int(*)[3]>(keep(std::move(corners)));
+  surface.is_surface = true;
+  if (surface.count > 0) groups_.push_back(surface);
+
+  for_each_energy(MembraneEnergies{}, [&](auto tag) { add_membrane<typename decltype(tag)::type>(model, place); });
+  for_each_energy(LoneElementEnergies{}, [&](auto tag) { add_elements<typename decltype(tag)::type>(model, place); });
+  for_each_energy(CellEnergies{}, [&](auto tag) {
+    using E = typename decltype(tag)::type;
+    if (const auto& params = cell_term<E>(model)) {
+      auto& view = plan_.cell_terms.template of<E>();
+      view.present = true;
+      view.params = in_numbers_of<typename E::template Params<R>>(*params, double{}, R{});
+      plan_.needs_area = plan_.needs_area || E::uses_area;
+      plan_.needs_volume = plan_.needs_volume || E::uses_volume;
+    }
+  });
+  // A surface without a law has any rest state: only its areas and volumes are used.
+  for (auto& group : groups_) {
+    if (!group.rest)
+      group.rest = keep(std::vector<TriangleRest<R>>(static_cast<std::size_t>(group.count),
+                                                     TriangleRest<R>{R(1), R(0), R(1), R(0.5)}));
+  }
+  plan_.groups = groups_.data();
+  plan_.num_groups = static_cast<int>(groups_.size());
+}
+
+template class PlanStorage<double>;
+template class PlanStorage<float>;
+
+}  // namespace npfem::cpu
