@@ -15,7 +15,17 @@
 namespace npfem {
 
 /// What is kept for every vertex of every cell. Units in npfem.h.
-enum class Field { position, velocity, external_force, ambient_velocity, ambient_mass, held_force, elastic_force };
+enum class Field {
+  position,
+  velocity,
+  external_force,
+  ambient_velocity,
+  ambient_mass,
+  held_force,
+  lag_velocity,
+  lag_acceleration,
+  elastic_force
+};
 
 inline int components(Field field) {
   return field == Field::ambient_mass ? 1 : 3;

@@ -236,7 +236,7 @@ static void misuse_fields(const struct Objects* o) {
         "npfem_batch_set: no field \"velocty\"; did you mean \"velocity\"? "
         "allowed: position, velocity, "
         "external_force, ambient_velocity, ambient_mass, held_force, "
-        "elastic_force");
+        "lag_velocity, lag_acceleration, elastic_force");
   FAILS(npfem_batch_set(o->batch, "velocity", 0, 1, NULL, coordinates), NPFEM_ERROR_ARGUMENT,
         "npfem_batch_set: values is NULL");
   FAILS(npfem_batch_set(o->batch, "velocity", 0, 1, values, vertices), NPFEM_ERROR_ARGUMENT,
