@@ -69,9 +69,9 @@ struct MembraneViscosity {
     const T area = T(0.5f) * square_root(sound);
 
     const Metric<T> before = metric_change(e1, e2, -p1, -p2);  // g_{n-1} - g_n
-    const T square_before = larger(determinant + determinant_change(now, before), T(0.0f));
-    const T area_before = T(0.5f) * square_root(square_before);
-    const T area_lag = past * (area - area_before);
+    const T square_change = determinant_change(now, before);
+    const T area_before = T(0.5f) * square_root(larger(sound + square_change, T(0.0f)));
+    const T area_lag = past * T(-0.25f) * square_change / (area + area_before);
     const Metric<T> lag{-past * before.m11, -past * before.m12, -past * before.m22};
     const T going_on = sound + determinant_change(now, lag);
 
