@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MPL-2.0
-// The order of the integrators, what BDF2 remembers, and membrane viscosity whose result does not depend on the step.
+// The order of the integrators, with and without membrane viscosity, and what BDF2 remembers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,11 +9,13 @@
 #include "cells.h"
 #include "error.h"
 #include "random_shape.h"
+#include "released_cell.h"
 
 namespace npfem {
 namespace {
 
 using testing::get;
+using testing::red_cell;
 using testing::total;
 using testing::uniform;
 
@@ -109,37 +111,13 @@ TEST(TimeIntegration, OrderOnAViscousMode) {
   }
 }
 
-/// Forces that pull the two ends of a cell apart along x, `pull` pN on either side.
-std::vector<double> stretching(const std::vector<double>& position, double pull) {
-  std::vector<double> force(position.size(), 0.0);
-  for (const double side : {-1.0, 1.0}) {
-    std::vector<std::size_t> end;
-    for (std::size_t i = 0; i < position.size(); i += 3) {
-      if (side * position[i] > 3.0) end.push_back(i);
-    }
-    for (const std::size_t i : end) force[i] = side * pull / static_cast<double>(end.size());
-  }
-  return force;
-}
-
-std::shared_ptr<const Model> red_cell(const Material& material) {
-  return std::make_shared<const Model>(build_model(evans_fung_cell(2), material));
-}
-
-/// Stretches the cell by `pull` pN at either end to its equilibrium, then takes the load away.
-void stretch_and_release(Batch& batch, double pull) {
-  batch.write(Field::external_force, 0, 1, stretching(get(batch, Field::position), pull));
-  ASSERT_EQ(batch.relax(), 0);
-  batch.write(Field::external_force, 0, 1, uniform(batch.model(), 0, 0, 0));
-}
-
 void expect_orders_of_release(const char* what, double viscosity) {
   Material material = Material::preset("rbc");
   material.set("membrane_density", 1000);
   material.set("membrane_shear_viscosity", viscosity);
   material.set("membrane_dilatational_viscosity", 2 * viscosity);
   Batch batch(red_cell(material), "reference", 1);
-  stretch_and_release(batch, 30);
+  testing::stretch_and_release(batch, 30);
   std::vector<double> start(static_cast<std::size_t>(batch.pack_length()));
   batch.pack(0, start);
   batch.options().tolerance = 1e-9;
@@ -304,60 +282,6 @@ TEST(TimeIntegration, Bdf2IsRefusedInAFluidAndForTheLineage) {
   EXPECT_EQ(batch.step(1), 0);
   batch.options().lineage = true;
   expect_refused(batch, "lineage");
-}
-
-TEST(TimeIntegration, ALineageStepRefusesAViscosityThatItWouldIgnore) {
-  Material material = Material::preset("palabos-rbc");
-  material.set("membrane_dilatational_viscosity", 1);
-  Batch batch(red_cell(material), "reference", 1);
-  batch.options().lineage = true;
-  expect_refused(batch, "membrane_shear_viscosity");
-}
-
-/// Recovery of a stretched red cell (Hochmuth, Worthy & Evans 1979): the time t_c of their law
-///   L/W = r (K + exp(-t/t_c))/(K - exp(-t/t_c)),   K = (L_0/W_0 + r)/(L_0/W_0 - r),   r the ratio at rest,
-/// which makes ln[(L/W - r)/(L/W + r)] linear in time.
-struct Recovery {
-  double start_ratio, time;  // 1, us
-  int iterations;            // of the hardest step
-};
-
-Recovery recover(const Material& material, double dt, double duration) {
-  Batch batch(red_cell(material), "reference", 1);
-  batch.relax();
-  const auto ratio = [&] { return batch.measure("extent_x", 0) / batch.measure("extent_y", 0); };
-  const double at_rest = ratio();
-  stretch_and_release(batch, 45);
-  Recovery result{ratio(), 0, 0};
-  batch.options().time_step = dt;
-  double n = 0, t_sum = 0, u_sum = 0, tt = 0, tu = 0;
-  const int steps = static_cast<int>(duration / dt), stride = static_cast<int>(duration / 50 / dt);
-  for (int s = stride; s <= steps; s += stride) {
-    EXPECT_EQ(batch.step(stride), 0);
-    result.iterations = std::max(result.iterations, batch.report(0).iterations);
-    const double t = s * dt, u = std::log((ratio() - at_rest) / (ratio() + at_rest));
-    n += 1, t_sum += t, u_sum += u, tt += t * t, tu += t * u;
-  }
-  result.time = -(n * tt - t_sum * t_sum) / (n * tu - t_sum * u_sum);
-  return result;
-}
-
-TEST(TimeIntegration, TheHochmuthTimeDoesNotDependOnTheStep) {
-  // A real cell (0.42 uN s/m) takes 0.13 s, 130 000 steps of 1 us. Without inertia time enters as t/eta_s alone, so a
-  // cell of 1/65 of that viscosity does the same in 2000 us; its membrane is light enough to leave inertia aside.
-  Material material = Material::preset("rbc");
-  material.set("membrane_density", 0.1);
-  const double viscosity = 6500;
-  material.set("membrane_shear_viscosity", viscosity);
-  const double scale = viscosity / material.get("shear_modulus");
-  const Recovery fine = recover(material, 1, scale), coarse = recover(material, 20, scale);
-  for (const Recovery& r : {fine, coarse}) {
-    std::printf("L/W = %.3f, t_c = %.1f us = %.3f eta_s/G_s, at most %d iterations\n", r.start_ratio, r.time,
-                r.time / scale, r.iterations);
-  }
-  EXPECT_NEAR(fine.start_ratio, 1.9, 0.1);
-  EXPECT_NEAR(coarse.time, fine.time, 0.05 * fine.time);
-  EXPECT_NEAR(fine.time, scale, 0.3 * scale);
 }
 
 }  // namespace
