@@ -133,11 +133,13 @@ struct MembraneViscosity {
                                  per_time.dilatational * excess * excess * (y + R(2)) / (R(6) * y));
   }
 
-  /// Modulus by which viscosity enters the quasi-Newton matrix, times h (pN us/um): that of an elastic sheet with
-  /// shear modulus eta_s/h and area modulus eta_d/h.
+  /// Modulus by which viscosity enters the quasi-Newton matrix, times h (pN us/um): the stiffness of a sheet with shear
+  /// modulus eta_s/h and area modulus eta_d/h, eta_s + eta_d along the gradient of a displacement, eta_s across it and
+  /// none out of the plane, in the mean over the three. The matrix knows no directions; the largest of them would
+  /// slow down what happens along the normal.
   template <class R>
   static R stiffness(const Params<R>& p) {
-    return R(1.5) * p.shear + R(0.5) * p.dilatational;
+    return (R(2) * p.shear + p.dilatational) / R(3);
   }
 };
 

@@ -26,6 +26,52 @@ TEST(Dissipation, ALineageStepRefusesAViscosityThatItWouldIgnore) {
   }
 }
 
+TEST(Dissipation, TheFluidReceivesTheViscousForceToo) {
+  // Without own mass F is the whole membrane force. What it has beyond the elastic force opposes the motion.
+  Material material = Material::preset("rbc");
+  material.set("membrane_shear_viscosity", 1e5);
+  Batch batch(testing::red_cell(material), "reference", 1);
+  batch.relax();
+  batch.options().tolerance = 1e-9;
+  batch.write(Field::ambient_mass, 0, 1, testing::fluid_mass(batch.model()));
+  const auto flow = testing::shear(testing::get(batch, Field::position), 1e-3);
+  batch.write(Field::ambient_velocity, 0, 1, flow);
+  ASSERT_EQ(batch.step(2), 0);
+  batch.evaluate();
+  auto viscous = testing::get(batch, Field::held_force);
+  const auto elastic = testing::get(batch, Field::elastic_force), v = testing::get(batch, Field::velocity);
+  double power = 0, rest = 0, size = 0;
+  for (std::size_t i = 0; i < viscous.size(); ++i) {
+    viscous[i] -= elastic[i];
+    power += viscous[i] * v[i];
+    size += std::abs(viscous[i] * v[i]);
+  }
+  EXPECT_LT(power, -0.2 * size);
+  for (const double sum : testing::total(viscous)) rest = std::max(rest, std::abs(sum));
+  EXPECT_LT(rest, 1e-5);
+  EXPECT_GT(*std::max_element(viscous.begin(), viscous.end()), 1);
+}
+
+TEST(Dissipation, ARealViscosityAtASmallStepIsSolved) {
+  // eta_s/dt is here 10^5 times the shear modulus; without its share of the matrix, steps end at the cap of 200.
+  for (const int integrator : {Integrator::implicit_euler, Integrator::bdf2}) {
+    Material material = Material::preset("rbc");
+    material.set("membrane_density", 5);
+    material.set("membrane_shear_viscosity", 420000);
+    Batch batch(testing::red_cell(material), "reference", 1);
+    testing::stretch_and_release(batch, 45);
+    batch.options().integrator = integrator;
+    int iterations = 0;
+    for (int s = 0; s < 50; ++s) {
+      ASSERT_EQ(batch.step(1), 0);
+      ASSERT_EQ(batch.report(0).status, CellStatus::converged) << s;
+      iterations += batch.report(0).iterations;
+    }
+    std::printf("integrator %d: %.1f iterations a step\n", integrator, iterations / 50.0);
+    EXPECT_LT(iterations, 50 * 100);
+  }
+}
+
 /// Recovery of a stretched red cell (Hochmuth, Worthy & Evans 1979): the time t_c of their law
 ///   L/W = r (K + exp(-t/t_c))/(K - exp(-t/t_c)),   K = (L_0/W_0 + r)/(L_0/W_0 - r),   r the ratio at rest,
 /// which makes ln[(L/W - r)/(L/W + r)] linear in time.
