@@ -156,17 +156,17 @@ void Batch::require_steppable() const {
   require_masses();
   if (options_.lineage && model_->is_viscous()) {
     throw Error(Status::wrong_order,
-                "steps of the lineage know no membrane viscosity: build the model from a material without "
-                "membrane_shear_viscosity and membrane_dilatational_viscosity, or set lineage = 0");
+                "method \"lineage\" knows no membrane viscosity: set method = \"default\", or take a material whose "
+                "membrane_shear_viscosity and membrane_dilatational_viscosity are 0");
   }
-  if (options_.integrator != Integrator::implicit_euler) require_no_fluid();
+  if (options_.lineage && options_.integrator != Integrator::implicit_euler) {
+    throw Error(Status::wrong_order,
+                "method \"lineage\" steps by implicit Euler: set integrator = 0, or method = \"default\" for BDF2");
+  }
+  if (options_.integrator == Integrator::bdf2) require_no_fluid();
 }
 
 void Batch::require_no_fluid() const {
-  if (options_.lineage) {
-    throw Error(Status::wrong_order,
-                "steps of the lineage are of implicit Euler: set integrator = 0, or lineage = 0 for BDF2");
-  }
   for (int c = 0; c < num_cells(); ++c) {
     for (const Field field : {Field::ambient_mass, Field::held_force}) {
       const std::vector<double> values = field_of(field, c);
@@ -175,7 +175,7 @@ void Batch::require_no_fluid() const {
       throw Error(Status::wrong_order,
                   "integrator = 1 (BDF2) is for cells without a fluid, but cell " + std::to_string(c) + " has the " +
                       field_names[static_cast<std::size_t>(field)] + " " + text::format_number(*found) +
-                      "; set integrator = 0 (implicit Euler), or " + "ambient_mass and held_force to 0");
+                      "; set integrator = 0 (implicit Euler), or ambient_mass and held_force to 0");
     }
   }
 }

@@ -25,7 +25,7 @@ NPFEM_HD T determinant_change(const Metric<T>& m, const Metric<T>& change) {
 
 /// Viscosity of a membrane in its own plane, the Kelvin-Voigt part of Evans & Hochmuth 1976 (Biophys. J. 16, 1):
 /// tensions
-///   T = 2 eta_s dev(D) + eta_d tr(D) 1,   D the rate of strain,
+///   T = 2 eta_s dev(r) + eta_d tr(r) 1,   r the rate of strain,
 /// eta_s the shear and eta_d the dilatational surface viscosity (1 uN s/m = 1e6 pN us/um).
 ///
 /// In a step that differences as dg/dt = (g - G)/h, g the metric at its end and G that of the known past, the energy

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MPL-2.0
 // The membrane viscosity of one triangle: the contract of an energy, and its tension against the closed form
-//   T = 2 eta_s dev(D) + eta_d tr(D) 1.
+//   T = 2 eta_s dev(r) + eta_d tr(r) 1,  r the rate of strain.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -99,7 +99,7 @@ struct Motion {
       x[i] = {std::cos(turn) * u - std::sin(turn) * v, std::sin(turn) * u + std::cos(turn) * v, 0};
     }
   }
-  /// D in the frame that turns along: the symmetric part of F' F^-1.
+  /// The rate of strain in the frame that turns along: the symmetric part of F' F^-1.
   static void rate(double t, double& xx, double& xy, double& yy) {
     const double df = 0.3 + 0.4 * t, dg = 0.4 + t, dh = -0.2;
     xx = df / f(t), yy = dh / h(t), xy = 0.5 * (dg - g(t) * df / f(t)) / h(t);
