@@ -28,7 +28,7 @@ std::vector<Parameter> describe_batch() {
         {o.key, o.unit, o.doc, ParameterKind::number, o.least, o.largest, get_option(SolverOptions{}, o.key)});
   }
   parameters.push_back(word_parameter("method",
-                                      "how a time step is taken: implicit Euler to the tolerance, or exactly as the "
+                                      "how a time step is taken: by the integrator to the tolerance, or exactly as the "
                                       "lineage does, to reproduce its runs",
                                       "default lineage"));
   return parameters;

@@ -45,7 +45,7 @@ struct Dimension {
   static constexpr Dimension energy() { return {2, -2, 1, 0, "energy", "pN um"}; }
   static constexpr Dimension stress() { return {-1, -2, 1, 0, "stress", "Pa"}; }
   static constexpr Dimension surface_modulus() { return {0, -2, 1, 0, "surface modulus", "uN/m"}; }
-  static constexpr Dimension surface_viscosity() { return {0, -1, 1, 0, "surface viscosity", "uN s/m"}; }
+  static constexpr Dimension surface_viscosity() { return {0, -1, 1, 0, "surface viscosity", "pN us/um"}; }
   static constexpr Dimension dynamic_viscosity() { return {-1, -1, 1, 0, "dynamic viscosity", "mPa s"}; }
   static constexpr Dimension kinematic_viscosity() { return {2, -1, 0, 0, "kinematic viscosity", "mm2/s"}; }
 

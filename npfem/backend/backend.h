@@ -22,6 +22,8 @@ enum class Field {
   ambient_velocity,
   ambient_mass,
   held_force,
+  lag_velocity,
+  lag_acceleration,
   elastic_force,
   tied_at  ///< where each vertex stood when a patch tied it; a back end's own, without a name
 };

@@ -16,8 +16,11 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 using S = SolverOptions;
 
-constexpr std::array<OptionInfo, 18> table{{
+constexpr std::array<OptionInfo, 19> table{{
     {"time_step", "us", "time step of the cell solver", 1e-9, 1e12, &S::time_step},
+    {"integrator", "1",
+     "0: implicit Euler, first order in the time step; 1: BDF2, second order, for cells without a fluid", 0, 1,
+     &S::integrator},
     {"tolerance", "pN", "largest component of the residual force at which a cell has converged", 0, infinity,
      &S::tolerance},
     {"residual_bound", "pN",

@@ -8,9 +8,13 @@
 
 namespace npfem {
 
+/// How a step forms derivatives in time. The numbers are those of the option "integrator".
+enum Integrator : int { implicit_euler = 0, bdf2 = 1 };
+
 /// Settings of a batch, the same for every back end.
 struct SolverOptions {
-  double time_step = 0.25;      ///< us
+  double time_step = 0.25;  ///< us
+  int integrator = implicit_euler;
   double tolerance = 1e-4;      ///< pN, on the largest component of the residual force
   double residual_bound = 1.0;  ///< pN: at the iteration cap a smaller residual is a warning, a larger one a failure
   int max_iterations = 200;

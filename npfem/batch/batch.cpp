@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "batch/batch.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <chrono>
@@ -16,11 +17,13 @@
 namespace npfem {
 namespace {
 
-constexpr std::array<const char*, 7> field_names{"position",     "velocity",   "external_force", "ambient_velocity",
-                                                 "ambient_mass", "held_force", "elastic_force"};
+constexpr std::array<const char*, 9> field_names{"position",         "velocity",         "external_force",
+                                                 "ambient_velocity", "ambient_mass",     "held_force",
+                                                 "lag_velocity",     "lag_acceleration", "elastic_force"};
 /// What a cell carries from step to step, in the order in which it is packed.
-constexpr std::array<Field, 6> state_fields{Field::position,         Field::velocity,     Field::external_force,
-                                            Field::ambient_velocity, Field::ambient_mass, Field::held_force};
+constexpr std::array<Field, 8> state_fields{Field::position,         Field::velocity,        Field::external_force,
+                                            Field::ambient_velocity, Field::ambient_mass,    Field::held_force,
+                                            Field::lag_velocity,     Field::lag_acceleration};
 
 std::size_t size_of(Field field, int vertices, int cells = 1) {
   return static_cast<std::size_t>(components(field)) * static_cast<std::size_t>(vertices) *
@@ -105,6 +108,7 @@ void Batch::write(Field field, int first, int count, std::span<const double> val
   }
   for (int c = 0; c < count; ++c) {
     backend_->write(field, first + c, values.subspan(per_cell * static_cast<std::size_t>(c), per_cell));
+    if (field == Field::velocity) forget_past(first + c);
   }
 }
 
@@ -143,6 +147,39 @@ void Batch::clear_patches() {
   backend_->set_patches({});
 }
 
+void Batch::forget_past(int cell) {
+  const std::vector<double> zero(size_of(Field::lag_velocity, model_->num_vertices()), 0.0);
+  for (const Field lag : {Field::lag_velocity, Field::lag_acceleration}) backend_->write(lag, cell, zero);
+}
+
+void Batch::require_steppable() const {
+  require_masses();
+  if (options_.lineage && model_->is_viscous()) {
+    throw Error(Status::wrong_order,
+                "method \"lineage\" knows no membrane viscosity: set method = \"default\", or take a material whose "
+                "membrane_shear_viscosity and membrane_dilatational_viscosity are 0");
+  }
+  if (options_.lineage && options_.integrator != Integrator::implicit_euler) {
+    throw Error(Status::wrong_order,
+                "method \"lineage\" steps by implicit Euler: set integrator = 0, or method = \"default\" for BDF2");
+  }
+  if (options_.integrator == Integrator::bdf2) require_no_fluid();
+}
+
+void Batch::require_no_fluid() const {
+  for (int c = 0; c < num_cells(); ++c) {
+    for (const Field field : {Field::ambient_mass, Field::held_force}) {
+      const std::vector<double> values = field_of(field, c);
+      const auto found = std::find_if(values.begin(), values.end(), [](double value) { return value != 0; });
+      if (found == values.end()) continue;
+      throw Error(Status::wrong_order,
+                  "integrator = 1 (BDF2) is for cells without a fluid, but cell " + std::to_string(c) + " has the " +
+                      field_names[static_cast<std::size_t>(field)] + " " + text::format_number(*found) +
+                      "; set integrator = 0 (implicit Euler), or ambient_mass and held_force to 0");
+    }
+  }
+}
+
 void Batch::require_masses() const {
   std::vector<double> ambient(static_cast<std::size_t>(model_->num_vertices()));
   for (int c = 0; c < num_cells(); ++c) {
@@ -167,7 +204,7 @@ int Batch::num_failed() const {
 
 int Batch::step(int steps) {
   if (steps < 0) throw Error(Status::bad_argument, std::to_string(steps) + " steps asked for; allowed: 0 or more");
-  require_masses();
+  require_steppable();
   stop_.store(false, std::memory_order_relaxed);
   energies_are_current_ = false;
   for (int s = 0; s < steps && !stop_.load(std::memory_order_relaxed); ++s) {
@@ -181,7 +218,7 @@ int Batch::step_for_ms(double milliseconds, int& steps_done) {
   if (!(milliseconds >= 0)) {
     throw Error(Status::bad_argument, text::format_number(milliseconds) + " ms asked for; allowed: 0 or more");
   }
-  require_masses();
+  require_steppable();
   stop_.store(false, std::memory_order_relaxed);
   energies_are_current_ = false;
   const auto start = std::chrono::steady_clock::now();
@@ -257,7 +294,8 @@ double Batch::measure(std::string_view key, int cell) const {
 std::uint64_t Batch::state_hash(int cell) const {
   require_cells(cell, 1);
   std::uint64_t hash = 0;
-  for (const Field field : {Field::position, Field::velocity, Field::held_force}) {
+  for (const Field field :
+       {Field::position, Field::velocity, Field::held_force, Field::lag_velocity, Field::lag_acceleration}) {
     hash = hash_values(field_of(field, cell), hash);
   }
   return hash;

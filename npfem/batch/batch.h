@@ -28,6 +28,7 @@ class Batch {
   const SolverOptions& options() const { return options_; }
   SolverOptions& options() { return options_; }
 
+  /// A written velocity starts a new motion: the lag fields of the cell become zero.
   /// Fields of `count` cells from `first`; values.size() = count * vertices * components(field).
   void write(Field field, int first, int count, std::span<const double> values);
   void read(Field field, int first, int count, std::span<double> values) const;
@@ -58,7 +59,10 @@ class Batch {
  private:
   void require_cells(int first, int count) const;
   void require_length(std::size_t found, std::size_t needed, const std::string& what) const;
+  void require_steppable() const;
   void require_masses() const;
+  void require_no_fluid() const;
+  void forget_past(int cell);
   int num_failed() const;
   std::vector<double> field_of(Field field, int cell) const;
 

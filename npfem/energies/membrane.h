@@ -63,6 +63,19 @@ NPFEM_HD void triangle_gradient(const TriangleStrain<T>& s, const TriangleRest<R
   gradient[0] = -(gradient[1] + gradient[2]);
 }
 
+/// Rows r with sum r r^T = stiffness A0 (grad . grad): a triangle's part of the quasi-Newton matrix, positive
+/// semidefinite by construction. Returns the number of rows.
+template <class R>
+int laplacian_rows(const TriangleRest<R>& rest, R stiffness, R (&rows)[2][3]) {
+  const R scale = square_root(stiffness * rest.area);
+  const R l11 = square_root(rest.inverse_metric_11);
+  const R l21 = rest.inverse_metric_12 / l11;
+  const R l22 = square_root(rest.inverse_metric_22 - l21 * l21);
+  rows[0][0] = -scale * (l11 + l21), rows[0][1] = scale * l11, rows[0][2] = scale * l21;
+  rows[1][0] = -scale * l22, rows[1][1] = R(0), rows[1][2] = scale * l22;
+  return 2;
+}
+
 /// An isotropic membrane made of linear triangles: E = A0 W(t, J) for each.
 ///
 /// Law supplies `name`, `Params<R>`, `zero_at_rest`, `respond(t, J, params)` and `stiffness(params)`: the modulus
@@ -95,17 +108,9 @@ struct Membrane {
     return rest.area * w.energy;
   }
 
-  /// Rows r with sum r r^T = stiffness A0 (grad . grad): the triangle's part of the quasi-Newton matrix, positive
-  /// semidefinite by construction. Returns the number of rows.
   template <class R>
   static int weight_rows(const Rest<R>& rest, const Params<R>& params, R (&rows)[2][3]) {
-    const R scale = square_root(Law::stiffness(params) * rest.area);
-    const R l11 = square_root(rest.inverse_metric_11);
-    const R l21 = rest.inverse_metric_12 / l11;
-    const R l22 = square_root(rest.inverse_metric_22 - l21 * l21);
-    rows[0][0] = -scale * (l11 + l21), rows[0][1] = scale * l11, rows[0][2] = scale * l21;
-    rows[1][0] = -scale * l22, rows[1][1] = R(0), rows[1][2] = scale * l22;
-    return 2;
+    return laplacian_rows(rest, Law::stiffness(params), rows);
   }
 };
 

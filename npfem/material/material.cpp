@@ -12,7 +12,8 @@ namespace {
 
 using text::Dimension;
 
-constexpr double largest = 1e9;  // of any modulus, in base units: far beyond membranes, far from overflow
+constexpr double largest = 1e9;             // of any modulus, in base units: far beyond membranes, far from overflow
+constexpr double largest_viscosity = 1e15;  // 1e9 uN s/m
 
 constexpr ParamInfo number_table[] = {
     {"shear_modulus", Dimension::surface_modulus(), 0, largest, 0,
@@ -36,6 +37,10 @@ constexpr ParamInfo number_table[] = {
      "weight w of the law lineage: the Helfrich modulus is 3 w"},
     {"stress_free_reduced_volume", Dimension::none(), 0, 1, 0,
      "reduced volume of the oblate spheroid in which the membrane is free of shear; 0 is the shape itself"},
+    {"membrane_shear_viscosity", Dimension::surface_viscosity(), 0, largest_viscosity, 0,
+     "eta_s: tension 2 eta_s times the rate of shear strain (a red cell: 0.3 to 0.7 uN s/m); 0 leaves it out"},
+    {"membrane_dilatational_viscosity", Dimension::surface_viscosity(), 0, largest_viscosity, 0,
+     "eta_d: tension eta_d times the rate of area strain; 0 leaves it out"},
     {"membrane_density", Dimension::surface_density(), 0, largest, 0,
      "mass of the membrane per rest area; 0 where a surrounding fluid carries all inertia"},
     {"solid_density", Dimension::density(), 0, largest, 0,

@@ -101,6 +101,7 @@ Model build_model(const TriangleMesh& mesh, const Material& material) {
   add_local_area(model, material, stress_free);
   add_bending(model, material, mesh);
   add_cell_terms(model, material);
+  model.viscosity = {material.get("membrane_shear_viscosity"), material.get("membrane_dilatational_viscosity")};
   complete_model(model);
   set_solid_mass(model, material);
   if (model.energy_names().empty()) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "energies/energy_list.h"
+#include "energies/membrane_viscosity.h"
 #include "mesh/triangle_mesh.h"
 
 namespace npfem {
@@ -49,8 +50,10 @@ struct Model {
   CellTerms cell_terms;
   CellRest<double> rest{};             ///< area and volume at rest
   Eigen::SparseMatrix<double> weight;  ///< sum of the energies' constant weights, n x n for each coordinate, pN/um
-  double shear_modulus = 0;            ///< small strain, uN/m
-  double largest_modulus = 0;          ///< stiffest surface modulus, uN/m
+  MembraneViscosity::Params<double> viscosity{0, 0};  ///< of the membrane, pN us/um
+  Eigen::SparseMatrix<double> viscous_weight;         ///< its weight in a step, times the step, pN us/um
+  double shear_modulus = 0;                           ///< small strain, uN/m
+  double largest_modulus = 0;                         ///< stiffest surface modulus, uN/m
 
   int num_vertices() const { return static_cast<int>(initial.size()); }
 
@@ -63,6 +66,7 @@ struct Model {
     return std::get<ElementBlock<E>>(elements);
   }
   bool has_cell_terms() const;
+  bool is_viscous() const { return viscosity.shear > 0 || viscosity.dilatational > 0; }
   /// Names of the energies that this model evaluates: element energies first, in the order of the type lists.
   std::vector<std::string> energy_names() const;
 };

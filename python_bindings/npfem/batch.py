@@ -18,6 +18,8 @@ FIELDS = {
     "ambient_velocity": 3,
     "ambient_mass": 1,
     "held_force": 3,
+    "lag_velocity": 3,
+    "lag_acceleration": 3,
     "elastic_force": 3,
 }
 
@@ -36,11 +38,13 @@ class Batch(Parameterised):
     """
 
     position = _field("position", "Vertex positions, um.")
-    velocity = _field("velocity", "Vertex velocities, um/us.")
+    velocity = _field("velocity", "Vertex velocities, um/us; assigning them sets the lag fields to zero.")
     external_force = _field("external_force", "Loads on the vertices, pN; kept until set again.")
     ambient_velocity = _field("ambient_velocity", "Velocity of the surrounding fluid at each vertex, um/us.")
     ambient_mass = _field("ambient_mass", "Mass of fluid that moves with each vertex, fg; 0 without a fluid.")
     held_force = _field("held_force", "Force that each vertex exerts on the fluid, pN.")
+    lag_velocity = _field("lag_velocity", "Of BDF2 (option integrator = 1): (x_n - x_{n-1})/time_step - v_n, um/us.")
+    lag_acceleration = _field("lag_acceleration", "Of BDF2: (v_n - v_{n-1})/time_step, um/us2.")
     elastic_force = property(lambda batch: batch.get("elastic_force"),
                              doc="-dE/dx at the positions of the last evaluate(), pN.")
 

@@ -40,7 +40,10 @@ class Draw {
     if (rarely()) return odd[below(std::size(odd))];
     return sensible.begin()[below(static_cast<int>(sensible.size()))];
   }
-  const char* field() { return word({"position", "velocity", "external_force", "ambient_velocity", "held_force"}); }
+  const char* field() {
+    return word({"position", "velocity", "external_force", "ambient_velocity", "held_force", "lag_velocity",
+                 "lag_acceleration"});
+  }
   /// One of the handles given out so far, or a number that is none.
   std::int32_t handle(const std::vector<std::int32_t>& known) {
     if (known.empty() || rarely()) return below(1 << 20) - 10;

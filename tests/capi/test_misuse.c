@@ -77,7 +77,7 @@ static void misuse_parameters(const struct Objects* o) {
   FAILS(npfem_get_text(o->batch, "method", NULL, 5), NPFEM_ERROR_ARGUMENT, "npfem_get_text: buffer is NULL");
   FAILS(npfem_set_f64(o->batch, "time_stepp", 1), NPFEM_ERROR_NAME,
         "npfem_set_f64: no parameter \"time_stepp\"; did you mean "
-        "\"time_step\"? allowed: time_step, tolerance, "
+        "\"time_step\"? allowed: time_step, integrator, tolerance, "
         "residual_bound, max_iterations, relax_iterations, history, "
         "max_line_search, lineage_alpha, lineage_beta, "
         "lineage_tolerance, lineage_window, lineage_attempts, lineage_armijo, "
@@ -108,12 +108,12 @@ static void misuse_parameters(const struct Objects* o) {
         "npfem_set_text: membrane_law: unknown word \"skalac\"; did you mean "
         "\"skalak\"? allowed: none, skalak, "
         "neo_hookean, lineage");
-  FAILS(npfem_param_name(o->batch, 15, text, 64), NPFEM_ERROR_ARGUMENT,
-        "npfem_param_name: parameter 15 does not exist; there are 15, from 0");
+  FAILS(npfem_param_name(o->batch, 16, text, 64), NPFEM_ERROR_ARGUMENT,
+        "npfem_param_name: parameter 16 does not exist; there are 16, from 0");
   FAILS(npfem_param_kind(o->batch, -1), NPFEM_ERROR_ARGUMENT,
-        "npfem_param_kind: parameter -1 does not exist; there are 15, from 0");
+        "npfem_param_kind: parameter -1 does not exist; there are 16, from 0");
   FAILS(npfem_param_range(o->batch, 0, &a, NULL, &b), NPFEM_ERROR_ARGUMENT, "npfem_param_range: largest is NULL");
-  FAILS(npfem_param_range(o->batch, 14, &a, &b, &b), NPFEM_ERROR_ARGUMENT,
+  FAILS(npfem_param_range(o->batch, 15, &a, &b, &b), NPFEM_ERROR_ARGUMENT,
         "npfem_param_range: parameter \"method\" is a word; use npfem_set_text "
         "and npfem_get_text");
 }
@@ -236,7 +236,7 @@ static void misuse_fields(const struct Objects* o) {
         "npfem_batch_set: no field \"velocty\"; did you mean \"velocity\"? "
         "allowed: position, velocity, "
         "external_force, ambient_velocity, ambient_mass, held_force, "
-        "elastic_force");
+        "lag_velocity, lag_acceleration, elastic_force");
   FAILS(npfem_batch_set(o->batch, "velocity", 0, 1, NULL, coordinates), NPFEM_ERROR_ARGUMENT,
         "npfem_batch_set: values is NULL");
   FAILS(npfem_batch_set(o->batch, "velocity", 0, 1, values, vertices), NPFEM_ERROR_ARGUMENT,
@@ -327,18 +327,18 @@ static void misuse_batches(const struct Objects* o) {
   FAILS(npfem_batch_measure(o->batch, NULL, 0, 1, &number, 1), NPFEM_ERROR_ARGUMENT,
         "npfem_batch_measure: key is NULL");
   FAILS(npfem_batch_pack(o->batch, 0, load, 3), NPFEM_ERROR_ARGUMENT,
-        "npfem_batch_pack: a packed cell needs an array of 1056 numbers, found "
+        "npfem_batch_pack: a packed cell needs an array of 1452 numbers, found "
         "3");
 }
 
 static void misuse_packed_cells(const struct Objects* o) {
-  static double packed[1056];
+  static double packed[1452];
   int64_t before = 0, after = 1;
   OK(npfem_batch_state_hash(o->batch, 0, 1, &before, 1));
-  OK(npfem_batch_pack(o->batch, 0, packed, 1056));
+  OK(npfem_batch_pack(o->batch, 0, packed, 1452));
   packed[0] = 1;
   packed[5] = HUGE_VAL;
-  FAILS(npfem_batch_unpack(o->batch, 0, packed, 1056), NPFEM_ERROR_INPUT,
+  FAILS(npfem_batch_unpack(o->batch, 0, packed, 1452), NPFEM_ERROR_INPUT,
         "npfem_batch_unpack: a packed cell holds a number that is not finite");
   OK(npfem_batch_state_hash(o->batch, 0, 1, &after, 1));
   HOLDS(before == after);

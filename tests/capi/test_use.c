@@ -151,7 +151,7 @@ static void check_patch(int32_t batch) {
 }
 
 static void check_steps(int32_t batch) {
-  static double velocity[2 * coordinates], packed[6 * coordinates];
+  static double velocity[2 * coordinates], packed[8 * coordinates];
   static float narrow[coordinates];
   int64_t hash[2] = {0, 1};
   int32_t i, steps = 0;
@@ -166,7 +166,7 @@ static void check_steps(int32_t batch) {
   HOLDS(hash[0] == hash[1]);
   HOLDS(fabs(measure(batch, "centre_x") - 5 * 0.25 * 0.01) < 1e-9);
   HOLDS(npfem_batch_step_for_ms(batch, 1, &steps) == 0 && steps >= 1);
-  HOLDS(length <= 6 * coordinates);
+  HOLDS(length <= 8 * coordinates);
   OK(npfem_batch_pack(batch, 0, packed, length));
   OK(npfem_batch_step(batch, 1));
   OK(npfem_batch_unpack(batch, 1, packed, length));

@@ -151,11 +151,14 @@ NPFEM_API int32_t npfem_batch_remove(int32_t batch, int32_t cell);
 
 /* Fields, per vertex, of `count` cells from `first`; length = count * vertices * components.
  *   position          3  um
- *   velocity          3  um/us
+ *   velocity          3  um/us   writing it starts a new motion: the lag fields of the cell become zero
  *   external_force    3  pN      loads, contacts, gravity; kept until set again
  *   ambient_velocity  3  um/us   velocity of the surrounding fluid at the vertex
  *   ambient_mass      1  fg      mass of fluid that moves with the vertex; 0 without a fluid
  *   held_force        3  pN      force that the vertex exerts on the fluid; a step replaces f_old by the new one
+ *   lag_velocity      3  um/us   of BDF2 (option "integrator" = 1): (x_n - x_{n-1})/time_step - velocity
+ *   lag_acceleration  3  um/us2  of BDF2: (v_n - v_{n-1})/time_step; both zero = uniform motion so far, as for a new
+ *                                cell and after every step of implicit Euler or of relaxation
  *   elastic_force     3  pN      -dE/dx at the positions of the last npfem_batch_evaluate(); read only */
 NPFEM_API int32_t npfem_batch_set(int32_t batch, const char* field, int32_t first, int32_t count, const double* values,
                                   int32_t length);
@@ -194,7 +197,7 @@ NPFEM_API int32_t npfem_batch_status_text(int32_t batch, int32_t cell, char* buf
  * one energy of the model. */
 NPFEM_API int32_t npfem_batch_measure(int32_t batch, const char* key, int32_t first, int32_t count, double* values,
                                       int32_t length);
-/* 64-bit hash of the state (positions, velocities, held forces) of each cell; equal bits, equal hash. */
+/* 64-bit hash of the state (positions, velocities, held forces, lags) of each cell; equal bits, equal hash. */
 NPFEM_API int32_t npfem_batch_state_hash(int32_t batch, int32_t first, int32_t count, int64_t* values, int32_t length);
 
 /* One cell's whole state as numbers, bit for bit: for checkpoints and for moving cells between processes. */

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "energies/energy_list.h"
+#include "energies/membrane_viscosity.h"
 
 namespace npfem::cpu {
 
@@ -120,7 +121,12 @@ struct CellPlan {
   CellTermViews<CellEnergies, R> cell_terms;
   bool needs_area = false, needs_volume = false;  ///< by a cell energy
   CellRest<R> rest{};
+  bool is_viscous = false;
+  MembraneViscosity::Params<R> viscosity{};  ///< on the triangles of the group that is the surface
+  const int (*surface)[3] = nullptr;         ///< those triangles
+  int num_surface_triangles = 0;
   R stiffest_diagonal = 0;  ///< of the weight matrix, pN/um: how large elastic forces get per um
+  R viscous_diagonal = 0;   ///< the same of the viscous weight, pN us/um
 };
 
 }  // namespace npfem::cpu

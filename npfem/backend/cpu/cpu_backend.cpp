@@ -5,15 +5,17 @@
 
 #include "backend/cpu/threads.h"
 #include "backend/reference/elasticity.h"
-#include "backend/reference/implicit_euler.h"
 #include "backend/reference/lineage_contacts.h"
+#include "backend/reference/time_step.h"
 
 namespace npfem::cpu {
 namespace {
 
-StepSettings settings_from(const SolverOptions& o) {
+/// `differencing`: of a cell with a past, or of one without (see reference/time_step.h).
+StepSettings settings_from(const SolverOptions& o, const Differencing& differencing) {
   StepSettings s{};
-  s.time_step = o.time_step, s.lead = o.time_step, s.past = 0;
+  s.time_step = o.time_step, s.lead = differencing.h, s.past = differencing.past;
+  s.looks_back = o.integrator == Integrator::bdf2;
   s.tolerance = o.tolerance, s.residual_bound = o.residual_bound;
   s.max_iterations = o.max_iterations, s.history = o.history, s.max_line_search = o.max_line_search;
   s.matrix = o.matrix;
@@ -203,6 +205,8 @@ CellBlock CpuBackend::block_of(int block) {
   b.ambient_velocity = state_.block(Field::ambient_velocity, block);
   b.ambient_mass = state_.block(Field::ambient_mass, block);
   b.held_force = state_.block(Field::held_force, block);
+  b.lag_velocity = state_.block(Field::lag_velocity, block);
+  b.lag_acceleration = state_.block(Field::lag_acceleration, block);
   b.tied_at = patches_.empty() ? nullptr : state_.block(Field::tied_at, block);
   b.report = reports_.data() + static_cast<std::ptrdiff_t>(block) * state_.lanes();
   return b;
@@ -231,23 +235,42 @@ void CpuBackend::find_contacts(int block, std::vector<double>& contacts) {
   }
 }
 
+/// What the cells of one kind share in a step: all those with the same masses, with or without a past.
+template <class H>
+struct CpuBackend::StepKind {
+  StepSettings settings;
+  StepMatrices<H> matrices;
+  int mass_set;
+  bool has_past;
+};
+
+template <class H>
+std::vector<CpuBackend::StepKind<H>> CpuBackend::kinds_of_step(const SolverOptions& options) {
+  std::vector<StepKind<H>> kinds;
+  for (const bool past : {false, true}) {
+    if (past && options.integrator != Integrator::bdf2) continue;
+    const StepSettings settings =
+        settings_from(options, past ? bdf2_differencing(options) : euler_differencing(options));
+    for (int set = 0; set < static_cast<int>(mass_sets_.size()); ++set) {
+      const FactorKey key = options.lineage
+                                ? FactorKey{options.time_step, -1, 1 + options.lineage_beta / options.time_step}
+                                : FactorKey{settings.lead, set, 1};
+      const bool with_hessian = !options.lineage && options.matrix != 1;
+      kinds.push_back({settings, factors(key, with_hessian).template view<H>(), set, past});
+    }
+  }
+  return kinds;
+}
+
 template <class R, class H>
 void CpuBackend::step_in(const SolverOptions& options, void (*kernel)(const StepTask<R, H>&), int cells_per_call) {
-  const StepSettings settings = settings_from(options);
   const CellPlan<R>& cell_plan = plan<R>();
-  std::vector<StepMatrices<H>> matrices;
+  const std::vector<StepKind<H>> kinds = kinds_of_step<H>(options);
   LineageMatrices<R> lineage;
-  if (options.lineage) {
-    const FactorKey key{options.time_step, -1, 1 + options.lineage_beta / options.time_step};
-    matrices.assign(mass_sets_.size(), factors(key, false).template view<H>());
-    lineage = lineage_factors(options.time_step, options.lineage_beta).view(R{});
-  } else {
-    for (std::size_t s = 0; s < mass_sets_.size(); ++s)
-      matrices.push_back(factors({settings.lead, static_cast<int>(s), 1}, options.matrix != 1).template view<H>());
-  }
+  if (options.lineage) lineage = lineage_factors(options.time_step, options.lineage_beta).view(R{});
   const PatchViews<R> patches(patches_, state_.order());
 
-  const std::size_t bytes = kernels_.workspace_bytes(cell_plan.num_vertices, settings.history);
+  const std::size_t bytes = kernels_.workspace_bytes(cell_plan.num_vertices, options.history);
   const int threads = thread_count(options.threads, state_.num_blocks());
   std::vector<AlignedVector<char>> workspaces(static_cast<std::size_t>(threads));
   std::vector<std::vector<double>> contacts(static_cast<std::size_t>(threads));
@@ -256,7 +279,6 @@ void CpuBackend::step_in(const SolverOptions& options, void (*kernel)(const Step
     if (workspaces[t].empty()) workspaces[t].resize(bytes);
     StepTask<R, H> task{};
     task.plan = &cell_plan;
-    task.settings = &settings;
     task.lineage = &lineage;
     task.patches = patches.data();
     task.num_patches = patches.count();
@@ -269,25 +291,41 @@ void CpuBackend::step_in(const SolverOptions& options, void (*kernel)(const Step
       task.block.contact = contacts[t].data();
     }
     for (task.first_lane = 0; task.first_lane < state_.lanes(); task.first_lane += cells_per_call) {
-      for (std::size_t s = 0; s < mass_sets_.size(); ++s) {
-        task.active = lanes_with(block * state_.lanes() + task.first_lane, cells_per_call, static_cast<int>(s));
-        task.matrices = &matrices[s];
+      // Which lanes are of which kind is found before any of them moves.
+      std::vector<std::uint32_t> lanes;
+      for (const auto& kind : kinds)
+        lanes.push_back(lanes_of_kind(block * state_.lanes() + task.first_lane, cells_per_call, kind.mass_set,
+                                      kinds.size() > mass_sets_.size() ? int{kind.has_past} : -1));
+      for (std::size_t k = 0; k < kinds.size(); ++k) {
+        task.active = lanes[k];
+        task.settings = &kinds[k].settings;
+        task.matrices = &kinds[k].matrices;
         if (task.active != 0) kernel(task);
       }
     }
   });
 }
 
-std::uint32_t CpuBackend::lanes_with(int first_cell, int cells, int mass_set) const {
+/// Bits of the lanes whose cells have the given masses and, unless it is -1, a past or none.
+std::uint32_t CpuBackend::lanes_of_kind(int first_cell, int cells, int mass_set, int has_past) const {
   std::uint32_t lanes = 0;
   for (int l = 0; l < cells && first_cell + l < num_cells(); ++l) {
-    if (mass_set_of_[static_cast<std::size_t>(first_cell + l)] == mass_set) lanes |= 1u << l;
+    const int cell = first_cell + l;
+    if (mass_set_of_[static_cast<std::size_t>(cell)] != mass_set) continue;
+    const bool started =
+        has_past >= 0 && !(state_.is_zero(Field::lag_velocity, cell) && state_.is_zero(Field::lag_acceleration, cell));
+    if (has_past >= 0 && started != (has_past == 1)) continue;
+    lanes |= 1u << l;
   }
   return lanes;
 }
 
 void CpuBackend::step(const SolverOptions& options) {
   find_mass_sets();
+  if (options.integrator == Integrator::bdf2) {
+    state_.require(Field::lag_velocity);
+    state_.require(Field::lag_acceleration);
+  }
   const bool lone = options.lone_cells != 0;
   switch (options.precision) {
     case 0:
@@ -305,7 +343,7 @@ void CpuBackend::step(const SolverOptions& options) {
 void CpuBackend::relax(const SolverOptions& options, const std::atomic<bool>& stop) {
   const Eigen::VectorXd anchor =
       Eigen::VectorXd::Constant(model_->num_vertices(), 1e-6 * model_->weight.diagonal().mean());
-  const StepFactor factor(*model_, anchor, 1.0, patches_);
+  const StepFactor factor(*model_, anchor, {1, 0}, patches_);
   for_each_piece(num_cells(), thread_count(options.threads, num_cells()), [&](int cell, int) {
     if (stop.load(std::memory_order_relaxed)) return;
     CellState state = cell_state(cell);
@@ -313,6 +351,8 @@ void CpuBackend::relax(const SolverOptions& options, const std::atomic<bool>& st
     reports_[static_cast<std::size_t>(cell)] = state.report;
     state_.write(Field::position, cell, numbers(state.position));
     state_.write(Field::velocity, cell, numbers(state.velocity));
+    state_.write(Field::lag_velocity, cell, numbers(state.lag_velocity));
+    state_.write(Field::lag_acceleration, cell, numbers(state.lag_acceleration));
   });
 }
 
@@ -327,6 +367,8 @@ CellState CpuBackend::cell_state(int cell) const {
   get(Field::velocity, state.velocity);
   get(Field::external_force, state.external_force);
   get(Field::tied_at, state.tied_at);
+  get(Field::lag_velocity, state.lag_velocity);
+  get(Field::lag_acceleration, state.lag_acceleration);
   return state;
 }
 

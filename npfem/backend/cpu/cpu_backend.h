@@ -41,7 +41,11 @@ class CpuBackend final : public Backend {
   void step_in(const SolverOptions& options, void (*kernel)(const StepTask<R, H>&), int cells_per_call);
   const StepFactors& factors(const FactorKey& key, bool with_hessian);
   const LineageFactors& lineage_factors(double time_step, double beta);
-  std::uint32_t lanes_with(int first_cell, int cells, int mass_set) const;
+  template <class H>
+  struct StepKind;
+  template <class H>
+  std::vector<StepKind<H>> kinds_of_step(const SolverOptions& options);
+  std::uint32_t lanes_of_kind(int first_cell, int cells, int mass_set, int has_past) const;
   CellState cell_state(int cell) const;
   void find_contacts(int block, std::vector<double>& contacts);
 

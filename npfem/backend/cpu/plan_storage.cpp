@@ -124,6 +124,12 @@ PlanStorage<R>::PlanStorage(const Model& model, std::span<const int> order) {
   surface.is_surface = true;
   if (surface.count > 0) groups_.push_back(surface);
 
+  plan_.surface = surface.vertices;
+  plan_.num_surface_triangles = surface.count;
+  plan_.is_viscous = model.is_viscous();
+  plan_.viscosity = {static_cast<R>(model.viscosity.shear), static_cast<R>(model.viscosity.dilatational)};
+  plan_.viscous_diagonal = static_cast<R>(Eigen::VectorXd(model.viscous_weight.diagonal()).maxCoeff());
+
   for_each_energy(MembraneEnergies{}, [&](auto tag) { add_membrane<typename decltype(tag)::type>(model, place); });
   for_each_energy(LoneElementEnergies{}, [&](auto tag) { add_elements<typename decltype(tag)::type>(model, place); });
   for_each_energy(CellEnergies{}, [&](auto tag) {

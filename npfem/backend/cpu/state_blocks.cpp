@@ -105,6 +105,15 @@ void StateBlocks::read(Field field, int cell, std::span<double> values) const {
   }
 }
 
+bool StateBlocks::is_zero(Field field, int cell) const {
+  if (!has(field)) return true;
+  const AlignedVector<double>& numbers = fields_[static_cast<std::size_t>(field)];
+  for (std::size_t row = 0; row < rows(field); ++row) {
+    if (numbers[at(field, cell, row)] != 0) return false;
+  }
+  return true;
+}
+
 double* StateBlocks::block(Field field, int block) {
   if (!has(field)) return nullptr;
   return fields_[static_cast<std::size_t>(field)].data() +

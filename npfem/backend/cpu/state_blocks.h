@@ -33,6 +33,8 @@ class StateBlocks {
   void write(Field field, int cell, std::span<const double> values);
   void read(Field field, int cell, std::span<double> values) const;
 
+  bool is_zero(Field field, int cell) const;
+
   /// A block of a field; null while the field is zero everywhere.
   double* block(Field field, int block);
   /// Gives the field memory, so that a kernel may write it.

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include "energies/dual.h"
 #include "model/hessian.h"
 
 namespace npfem::cpu {
@@ -41,11 +42,40 @@ Sparse inertia_and_patches(std::span<const double> mass, double lead, std::span<
   return matrix;
 }
 
+/// Second derivative by the displacements of what viscosity costs in a step of unit length from the initial shape.
+Sparse viscous_hessian(const Model& model) {
+  const auto size = 3 * static_cast<Eigen::Index>(model.num_vertices());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t t = 0; model.is_viscous() && t < model.triangles.size(); ++t) {
+    const Triangle& v = model.triangles[t];
+    Vec3<Dual> x[3], rest[3] = {};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point& p = model.initial[static_cast<std::size_t>(v[i])];
+      x[i] = {p[0], p[1], p[2]};
+    }
+    const auto start = MembraneViscosity::start(x, rest, Dual(0.0));
+    for (int column = 0; column < 9; ++column) {
+      Vec3<Dual> move[3] = {}, slope[3];
+      (&move[column / 3].x)[column % 3].slope = 1;
+      MembraneViscosity::energy_gradient(move, start, model.viscosity, slope);
+      for (int row = 0; row < 9; ++row) {
+        entries.emplace_back(3 * v[static_cast<std::size_t>(row / 3)] + row % 3,
+                             3 * v[static_cast<std::size_t>(column / 3)] + column % 3,
+                             (&slope[row / 3].x)[row % 3].slope);
+      }
+    }
+  }
+  Sparse matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
 }  // namespace
 
 RestHessian::RestHessian(const Model& model, std::span<const int> order) {
   const std::span<const double> x(model.initial.front().data(), 3 * model.initial.size());
   sparse = reordered(elastic_hessian(model, x, Definite::projected), order, 3);
+  viscous = reordered(viscous_hessian(model), order, 3);
   for (const GlobalStiffness& term : global_stiffness(model, x)) {
     if (term.stiffness > 0) dense.push_back({reordered_vector(term.direction, order), term.stiffness});
   }
@@ -54,11 +84,13 @@ RestHessian::RestHessian(const Model& model, std::span<const int> order) {
 StepFactors::StepFactors(const Model& model, std::span<const int> order, const FactorKey& key,
                          std::span<const double> mass, std::span<const Patch> patches, const RestHessian* hessian)
     : key_(key),
-      scalar_(
-          key.weight_scale * reordered(model.weight, order, 1) + inertia_and_patches(mass, key.lead, patches, order, 1),
-          1) {
+      scalar_(key.weight_scale * reordered(model.weight, order, 1) +
+                  (1 / key.lead) * reordered(model.viscous_weight, order, 1) +
+                  inertia_and_patches(mass, key.lead, patches, order, 1),
+              1) {
   if (!hessian) return;
-  block_.emplace(hessian->sparse + inertia_and_patches(mass, key.lead, patches, order, 3), 3);
+  block_.emplace(
+      hessian->sparse + (1 / key.lead) * hessian->viscous + inertia_and_patches(mass, key.lead, patches, order, 3), 3);
   add_global_terms(*hessian);
 }
 

@@ -22,6 +22,7 @@ struct RestHessian {
     double stiffness;
   };
   std::vector<Dense> dense;
+  Eigen::SparseMatrix<double> viscous;  ///< the same of the incremental dissipation, times the step, pN us/um
 };
 
 /// What the factors of a step are made for.

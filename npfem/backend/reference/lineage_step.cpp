@@ -166,6 +166,7 @@ void lineage_step(const Model& model, const LineageFactors& factors, std::span<c
   remove_deformation_rate(model, options.lineage_alpha, x, velocity);
   cell.velocity = velocity;
   cell.position += dt * velocity;
+  cell.forget_past();
 }
 
 }  // namespace npfem

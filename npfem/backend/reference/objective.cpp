@@ -30,13 +30,14 @@ double StepObjective::operator()(const VertexField& displacement, VertexField& g
   const double work = inner(force, displacement);
   gradient -= force;
   const double elastic = elastic_energy(model, start + displacement, gradient);
+  const double dissipated = dissipation(displacement, gradient);
   double held = 0;
   if (!patches.empty()) {
     const VertexField since_tied = start - tied_at + displacement;
     for (const Patch& patch : patches) held += patch_energy(patch, since_tied, gradient);
   }
-  scale = std::abs(kinetic) + std::abs(work) + std::abs(elastic) + held;
-  return kinetic - work + elastic + held;
+  scale = std::abs(kinetic) + std::abs(work) + std::abs(elastic) + dissipated + held;
+  return kinetic - work + elastic + dissipated + held;
 }
 
 }  // namespace npfem

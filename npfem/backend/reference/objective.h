@@ -4,19 +4,21 @@
 #include <span>
 
 #include "backend/backend.h"
+#include "backend/reference/dissipation.h"
 #include "backend/reference/vertex_field.h"
 
 namespace npfem {
 
 /// What one implicit step of one cell minimises, over the displacements d from the start x_n:
-///   Phi(d) = 1/2 |d - drift|^2_mu - force . d + E(x_n + d) + patches,
-/// mu = M/dt^2 (pN/um). Its minimum is the implicit Euler step; with mu = 0 it is a static equilibrium.
+///   Phi(d) = 1/2 |d - drift|^2_mu - force . d + E(x_n + d) + D(d) + patches,
+/// mu = M/h^2 (pN/um). Its minimum is the step of time_step.h; with mu = D = 0 it is a static equilibrium.
 struct StepObjective {
   const Model& model;
   const VertexField& start;        ///< x_n, um
   const Eigen::VectorXd& inertia;  ///< mu per vertex, pN/um
   const VertexField& drift;        ///< where inertia alone would bring each vertex, um
   const VertexField& force;        ///< constant forces, pN
+  const Dissipation& dissipation;  ///< D
   std::span<const Patch> patches;
   const VertexField& tied_at;  ///< where the springs of the patches are at rest, um
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "backend/reference/elasticity.h"
-#include "backend/reference/implicit_euler.h"
+#include "backend/reference/time_step.h"
 
 namespace npfem {
 namespace {
@@ -29,6 +29,10 @@ auto* field_data(State& cell, Field field) {
       return cell.held_force.data();
     case Field::ambient_mass:
       return cell.ambient_mass.data();
+    case Field::lag_velocity:
+      return cell.lag_velocity.data();
+    case Field::lag_acceleration:
+      return cell.lag_acceleration.data();
     default:
       return cell.elastic_force.data();
   }
@@ -43,8 +47,8 @@ void ReferenceBackend::add_cells(int count) {
   CellState fresh;
   fresh.position = Eigen::Map<const VertexField>(model_->initial.front().data(), n, 3);
   fresh.tied_at = fresh.position;
-  for (VertexField* field :
-       {&fresh.velocity, &fresh.external_force, &fresh.ambient_velocity, &fresh.held_force, &fresh.elastic_force}) {
+  for (VertexField* field : {&fresh.velocity, &fresh.external_force, &fresh.ambient_velocity, &fresh.held_force,
+                             &fresh.lag_velocity, &fresh.lag_acceleration, &fresh.elastic_force}) {
     field->setZero(n, 3);
   }
   fresh.ambient_mass = Eigen::VectorXd::Zero(n);
@@ -75,14 +79,15 @@ void ReferenceBackend::set_patches(std::vector<Patch> patches) {
   factors_.clear();
 }
 
-const StepFactor& ReferenceBackend::step_factor(double time_step, const Eigen::VectorXd& ambient_mass) {
+const StepFactor& ReferenceBackend::step_factor(double h, const Eigen::VectorXd& ambient_mass) {
   for (const CachedFactor& cached : factors_) {
-    if (cached.time_step == time_step && cached.ambient_mass == ambient_mass) return *cached.factor;
+    if (cached.h == h && cached.ambient_mass == ambient_mass) return *cached.factor;
   }
-  constexpr std::size_t kept = 4;  // a batch has one set of masses, or two while a host changes them
+  constexpr std::size_t kept = 4;  // a batch has one set of masses and two h, or more while a host changes them
   if (factors_.size() == kept) factors_.erase(factors_.begin());
-  const Eigen::VectorXd inertia = (solid_mass(*model_) + ambient_mass) / (time_step * time_step);
-  factors_.push_back({time_step, ambient_mass, std::make_unique<StepFactor>(*model_, inertia, 1.0, patches_)});
+  const Eigen::VectorXd inertia = (solid_mass(*model_) + ambient_mass) / (h * h);
+  factors_.push_back(
+      {h, ambient_mass, std::make_unique<StepFactor>(*model_, inertia, StepFactor::Scales{1.0, 1 / h}, patches_)});
   return *factors_.back().factor;
 }
 
@@ -91,8 +96,8 @@ const LineageFactors& ReferenceBackend::lineage_factors(double time_step, double
     const Eigen::VectorXd mass = solid_mass(*model_);
     const double per_square = 1 / (time_step * time_step);
     // A factor can be built in place only, not moved.
-    lineage_factors_.reset(new LineageFactors{StepFactor(*model_, mass, time_step * beta, {}),
-                                              StepFactor(*model_, mass * per_square, 1 + beta / time_step, {})});
+    lineage_factors_.reset(new LineageFactors{StepFactor(*model_, mass, {time_step * beta, 0}, {}),
+                                              StepFactor(*model_, mass * per_square, {1 + beta / time_step, 0}, {})});
     lineage_time_step_ = time_step;
     lineage_beta_ = beta;
   }
@@ -104,7 +109,8 @@ void ReferenceBackend::step(const SolverOptions& options) {
     if (options.lineage) {
       lineage_step(*model_, lineage_factors(options.time_step, options.lineage_beta), obstacles_, options, cell);
     } else {
-      implicit_euler_step(*model_, step_factor(options.time_step, cell.ambient_mass), patches_, options, cell);
+      const StepFactor& factor = step_factor(differencing(options, cell).h, cell.ambient_mass);
+      time_step(*model_, factor, patches_, options, cell);
     }
   }
 }
@@ -114,7 +120,7 @@ void ReferenceBackend::relax(const SolverOptions& options, const std::atomic<boo
   // without being felt, since it only steers the search.
   const Eigen::VectorXd anchor =
       Eigen::VectorXd::Constant(model_->num_vertices(), 1e-6 * model_->weight.diagonal().mean());
-  const StepFactor factor(*model_, anchor, 1.0, patches_);
+  const StepFactor factor(*model_, anchor, {1, 0}, patches_);
   for (CellState& cell : cells_) {
     if (stop.load(std::memory_order_relaxed)) return;
     relax_cell(*model_, factor, patches_, options, cell);

@@ -31,13 +31,13 @@ class ReferenceBackend final : public Backend {
   std::span<const double> energies(int cell) const override { return cells_[static_cast<std::size_t>(cell)].energies; }
 
  private:
-  /// A factor and what it was made for: it serves every cell with the same masses and time step.
+  /// A factor and what it was made for: it serves every cell with the same masses and the same h of its step.
   struct CachedFactor {
-    double time_step;
+    double h;  // us
     Eigen::VectorXd ambient_mass;
     std::unique_ptr<const StepFactor> factor;
   };
-  const StepFactor& step_factor(double time_step, const Eigen::VectorXd& ambient_mass);
+  const StepFactor& step_factor(double h, const Eigen::VectorXd& ambient_mass);
   const LineageFactors& lineage_factors(double time_step, double beta);
 
   std::shared_ptr<const Model> model_;

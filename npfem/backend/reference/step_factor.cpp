@@ -7,7 +7,7 @@
 
 namespace npfem {
 
-StepFactor::StepFactor(const Model& model, const Eigen::VectorXd& diagonal, double scale,
+StepFactor::StepFactor(const Model& model, const Eigen::VectorXd& diagonal, Scales scales,
                        std::span<const Patch> patches) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < model.num_vertices(); ++i) entries.emplace_back(i, i, diagonal(i));
@@ -21,7 +21,8 @@ StepFactor::StepFactor(const Model& model, const Eigen::VectorXd& diagonal, doub
   }
   Eigen::SparseMatrix<double> matrix(model.num_vertices(), model.num_vertices());
   matrix.setFromTriplets(entries.begin(), entries.end());
-  matrix += scale * model.weight;
+  matrix += scales.elastic * model.weight;
+  if (model.is_viscous() && scales.viscous > 0) matrix += scales.viscous * model.viscous_weight;
   factor_.compute(matrix);
   if (factor_.info() != Eigen::Success || !(factor_.vectorD().minCoeff() > 0)) {
     throw Error(

@@ -10,12 +10,16 @@
 namespace npfem {
 
 /// The constant matrix of a quasi-Newton iteration, factorised once and shared by all cells of a model:
-///   N = diag(diagonal) + scale * W + patches,
-/// W the sum of the energies' weights. One n x n matrix serves x, y and z.
+///   N = diag(diagonal) + scales.elastic * W + scales.viscous * W_v + patches,
+/// W the sum of the energies' weights, W_v that of the membrane viscosity. One n x n matrix serves x, y and z.
 class StepFactor {
  public:
+  struct Scales {
+    double elastic;
+    double viscous;  ///< 1/h, 1/us
+  };
   /// `diagonal` in pN/um. Throws Error(bad_input) where N is not positive definite.
-  StepFactor(const Model& model, const Eigen::VectorXd& diagonal, double scale, std::span<const Patch> patches);
+  StepFactor(const Model& model, const Eigen::VectorXd& diagonal, Scales scales, std::span<const Patch> patches);
 
   VertexField solve(const VertexField& force) const;
 

@@ -44,9 +44,9 @@ TEST(SolverOptions, WholeNumbersOnlyWhereTheyCount) {
 }
 
 /// A cell carried by a shear flow, then relaxed under a pair of loads: what it is afterwards depends on every option.
-std::uint64_t outcome(const SolverOptions& options) {
+std::uint64_t outcome(const SolverOptions& options, const char* backend) {
   Material material = Material::preset("palabos-rbc");
-  Batch batch(std::make_shared<const Model>(build_model(evans_fung_cell(2), material)), "reference", 1);
+  Batch batch(std::make_shared<const Model>(build_model(evans_fung_cell(2), material)), backend, 1);
   batch.options() = options;
   auto force = testing::get(batch, Field::position);
   for (std::size_t i = 0; i < force.size(); ++i) force[i] = i % 3 == 0 ? 8 * force[i] : 0;
@@ -65,22 +65,37 @@ std::uint64_t outcome(const SolverOptions& options) {
 }
 
 TEST(SolverOptions, EachChangesTheResult) {
-  const std::map<std::string, double> changed{
-      {"time_step", 0.5},          {"tolerance", 1e3},         {"residual_bound", 0},
-      {"max_iterations", 2},       {"relax_iterations", 3},    {"history", 1},
-      {"max_line_search", 1},      {"lineage_alpha", 0.5},     {"lineage_beta", 0.1},
-      {"lineage_tolerance", 1e-2}, {"lineage_window", 3},      {"lineage_attempts", 1},
-      {"lineage_armijo", 0.9},     {"lineage_curvature", 0.01}};
+  const std::map<std::string, double> changed{{"time_step", 0.5},
+                                              {"integrator", 1},
+                                              {"tolerance", 1e3},
+                                              {"residual_bound", 0},
+                                              {"max_iterations", 2},
+                                              {"relax_iterations", 3},
+                                              {"history", 1},
+                                              {"max_line_search", 1},
+                                              {"lineage_alpha", 0.5},
+                                              {"lineage_beta", 0.1},
+                                              {"lineage_tolerance", 1e-2},
+                                              {"lineage_window", 3},
+                                              {"lineage_attempts", 1},
+                                              {"lineage_armijo", 0.9},
+                                              {"lineage_curvature", 0.01},
+                                              {"precision", 1},
+                                              {"matrix", 1},
+                                              {"lone_cells", 1}};
   for (const OptionInfo& info : solver_options()) {
+    if (std::string(info.key) == "threads") continue;  // changes nothing: test_cpu_backend.cpp
+    const std::string doc = info.doc;
+    const char* const backend = doc.starts_with("back end cpu") ? "cpu" : "reference";
     SolverOptions options;
     options.lineage = std::string(info.key).starts_with("lineage");
     options.time_step = 20;
     if (std::string(info.key) == "residual_bound") options.max_iterations = 2;
     if (std::string(info.key) == "lineage_attempts") options.lineage_armijo = 1;  // no search can succeed
-    const std::uint64_t before = outcome(options);
+    const std::uint64_t before = outcome(options, backend);
     ASSERT_TRUE(changed.contains(info.key)) << info.key;
     set_option(options, info.key, changed.at(info.key));
-    EXPECT_NE(outcome(options), before) << info.key;
+    EXPECT_NE(outcome(options, backend), before) << info.key;
   }
 }
 

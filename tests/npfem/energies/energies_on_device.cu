@@ -2,6 +2,7 @@
 // Compiles every energy of the library into a kernel, in double and in float: proof that the physics needs no second
 // text for a GPU.
 #include "energies/energy_list.h"
+#include "energies/membrane_viscosity.h"
 
 namespace npfem {
 
@@ -22,6 +23,18 @@ __global__ void cell_kernel(const CellSums<R>* sums, const CellRest<R>* rest,
   response[c] = E::respond(sums[c], rest[c], params[c]);
 }
 
+template <class R>
+__global__ void viscosity_kernel(const Vec3<R>* x, const Vec3<R>* last_move, const Vec3<R>* move, const R* past,
+                                 const MembraneViscosity::Params<R>* per_time, Vec3<R>* gradient) {
+  const int e = 3 * (blockIdx.x * blockDim.x + threadIdx.x);
+  const Vec3<R> corner[3] = {x[e], x[e + 1], x[e + 2]};
+  const Vec3<R> last[3] = {last_move[e], last_move[e + 1], last_move[e + 2]};
+  const Vec3<R> step[3] = {move[e], move[e + 1], move[e + 2]};
+  Vec3<R> slope[3];
+  MembraneViscosity::energy_gradient(step, MembraneViscosity::start(corner, last, *past), *per_time, slope);
+  for (int i = 0; i < 3; ++i) gradient[e + i] = slope[i];
+}
+
 /// Names each kernel, which makes the compiler produce its device code.
 template <class... Es>
 void element_kernels(TypeList<Es...>, const void** kernels) {
@@ -37,6 +50,8 @@ void cell_kernels(TypeList<Es...>, const void** kernels) {
 void all_kernels(const void** kernels) {
   element_kernels(ElementEnergies{}, kernels);
   cell_kernels(CellEnergies{}, kernels);
+  *kernels++ = reinterpret_cast<const void*>(&viscosity_kernel<double>);
+  *kernels++ = reinterpret_cast<const void*>(&viscosity_kernel<float>);
 }
 
 }  // namespace npfem

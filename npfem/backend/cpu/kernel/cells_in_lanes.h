@@ -25,6 +25,10 @@ struct CellsInLanes {
                   P* energies) {
     return elastic_forces(plan, x, gradient, area_gradient, volume_gradient, energies);
   }
+  static P viscous_forces(const cpu::CellPlan<R>& plan, const MembraneViscosity::Params<R>& per_time, R past,
+                          const P* start, const P* last_move, const P* move, P* gradient) {
+    return NPFEM_ISA::viscous_forces(plan, per_time, past, start, last_move, move, gradient);
+  }
   template <class T>
   static void solve_scalar(const cpu::FactorView<T>& factor, int n, Pack<T, W>* b) {
     NPFEM_ISA::solve_scalar(factor, n, b);

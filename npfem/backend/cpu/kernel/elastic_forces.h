@@ -136,4 +136,22 @@ P elastic_forces(const cpu::CellPlan<R>& plan, const P* x, P* gradient, P* area_
   return total;
 }
 
+/// What the viscosity of the membrane costs in a step (see reference/dissipation.h): adds dD/dx to `gradient` and
+/// returns D. `start`: x_n, `last_move`: x_n - x_{n-1}, `move`: x - x_n; `per_time`: viscosities over h.
+template <class R, class P>
+P viscous_forces(const cpu::CellPlan<R>& plan, const MembraneViscosity::Params<R>& per_time, R past, const P* start,
+                 const P* last_move, const P* move, P* gradient) {
+  P energy(R(0));
+  for (int t = 0; t < plan.num_surface_triangles; ++t) {
+    const int(&v)[3] = plan.surface[t];
+    const Vec3<P> x[3] = {load(start, v[0]), load(start, v[1]), load(start, v[2])};
+    const Vec3<P> last[3] = {load(last_move, v[0]), load(last_move, v[1]), load(last_move, v[2])};
+    const Vec3<P> d[3] = {load(move, v[0]), load(move, v[1]), load(move, v[2])};
+    Vec3<P> slope[3];
+    energy += MembraneViscosity::energy_gradient(d, MembraneViscosity::start(x, last, P(past)), per_time, slope);
+    for (int i = 0; i < 3; ++i) add(gradient, v[i], slope[i]);
+  }
+  return energy;
+}
+
 }  // namespace npfem::NPFEM_ISA

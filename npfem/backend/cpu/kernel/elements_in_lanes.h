@@ -174,6 +174,23 @@ struct ElementsInLanes {
     return total;
   }
 
+  static P viscous_forces(const cpu::CellPlan<R>& plan, const MembraneViscosity::Params<R>& per_time, R past,
+                          const P* start, const P* last_move, const P* move, P* gradient) {
+    P energy(R(0));
+    const auto flat = [](const P* field) { return reinterpret_cast<const R*>(field); };
+    for (int t = 0; t < plan.num_surface_triangles; t += W) {
+      const Gathered<3> g = gather<3>(plan.surface, t, plan.num_surface_triangles);
+      Vec3<P> x[3], last[3], d[3], slope[3];
+      load(g, flat(start), x);
+      load(g, flat(last_move), last);
+      load(g, flat(move), d);
+      energy += counted(
+          MembraneViscosity::energy_gradient(d, MembraneViscosity::start(x, last, P(past)), per_time, slope), g.count);
+      add(g, reinterpret_cast<R*>(gradient), slope);
+    }
+    return sum(energy);
+  }
+
   // The substitutions of one right-hand side leave nothing to put into lanes but the three coordinates.
   template <class T>
   struct alignas(T) One {

@@ -27,8 +27,8 @@ class ImplicitStep {
         length_(Shape::length(n_)),
         fields_(task.block, task.first_lane, n_),
         search_(*task.matrices, n_, settings_.history, memory) {
-    for (P** field : {&start_, &inertia_, &drift_, &force_, &tied_, &here_, &there_, &gradient_, &trial_gradient_,
-                      &direction_, &position_, &area_gradient_, &volume_gradient_}) {
+    for (P** field : {&start_, &inertia_, &drift_, &force_, &tied_, &last_move_, &here_, &there_, &gradient_,
+                      &trial_gradient_, &direction_, &position_, &area_gradient_, &volume_gradient_}) {
       *field = memory.take<P>(length_);
     }
   }
@@ -81,6 +81,7 @@ class ImplicitStep {
       Fields::row(drift_, row)[l] = static_cast<R>(drift);
       Fields::row(here_, row)[l] = static_cast<R>(drift);
       Fields::row(force_, row)[l] = static_cast<R>((external ? external[l] : 0.0) - (held ? held[l] : 0.0));
+      if (plan_.is_viscous) Fields::row(last_move_, row)[l] = static_cast<R>(last_move(row, l));
       if (b.tied_at) Fields::row(tied_, row)[l] = static_cast<R>(x[l] - fields_.from(b.tied_at, row)[l]);
     }
   }
@@ -163,10 +164,16 @@ class ImplicitStep {
     P energies[cpu::num_energies];
     for (P& e : energies) e = P(R(0));
     const P elastic = Shape::forces(plan_, position_, gradient, area_gradient_, volume_gradient_, energies);
-    P held(R(0));
+    P dissipated(R(0)), held(R(0));
+    if (plan_.is_viscous) {
+      const R per_lead = static_cast<R>(1 / settings_.lead);
+      dissipated =
+          Shape::viscous_forces(plan_, {plan_.viscosity.shear * per_lead, plan_.viscosity.dilatational * per_lead},
+                                static_cast<R>(settings_.past), start_, last_move_, d, gradient);
+    }
     for (int p = 0; p < task_.num_patches; ++p) held += patch_energy(task_.patches[p], d, gradient);
-    scale = kinetic + magnitude(work) + magnitude(elastic) + held;
-    return kinetic - work + elastic + held;
+    scale = kinetic + magnitude(work) + magnitude(elastic) + dissipated + held;
+    return kinetic - work + elastic + dissipated + held;
   }
 
   /// Springs from the vertices of a patch to where its mean displacement would bring them.
@@ -380,8 +387,8 @@ class ImplicitStep {
   int n_, length_;
   Fields fields_;
   QuasiNewton<Shape, R, H, W> search_;
-  P *start_, *inertia_, *drift_, *force_, *tied_, *here_, *there_, *gradient_, *trial_gradient_, *direction_,
-      *position_, *area_gradient_, *volume_gradient_;
+  P *start_, *inertia_, *drift_, *force_, *tied_, *last_move_, *here_, *there_, *gradient_, *trial_gradient_,
+      *direction_, *position_, *area_gradient_, *volume_gradient_;
   CellReport report_[cells];
 };
 

@@ -226,6 +226,8 @@ class LineageStep {
           const double kept = velocity[c] + alpha * (rigid - velocity[c]);
           fields_.from(b.velocity, 3 * v + c)[l] = kept;
           fields_.from(b.position, 3 * v + c)[l] += dt * kept;
+          if (b.lag_velocity) fields_.from(b.lag_velocity, 3 * v + c)[l] = 0;
+          if (b.lag_acceleration) fields_.from(b.lag_acceleration, 3 * v + c)[l] = 0;
         }
       }
     }

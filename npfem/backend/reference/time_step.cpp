@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MPL-2.0
+#include "backend/reference/time_step.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "backend/reference/minimise.h"
+
+namespace npfem {
+namespace {
+
+/// The smallest residual that rounding lets a step of this cell reach: a few ulps of the largest forces in it.
+double attainable_residual(const Model& model, const VertexField& position, double stiffest_motion,
+                           const VertexField& drift) {
+  constexpr double ulps = 32 * std::numeric_limits<double>::epsilon();
+  return ulps * (stiffest_motion * drift.cwiseAbs().maxCoeff() +
+                 model.weight.diagonal().maxCoeff() * position.cwiseAbs().maxCoeff());
+}
+
+}  // namespace
+
+Differencing euler_differencing(const SolverOptions& options) {
+  return {options.time_step, 0};
+}
+
+Differencing bdf2_differencing(const SolverOptions& options) {
+  return {2 * options.time_step / 3, 1.0 / 3};
+}
+
+Differencing differencing(const SolverOptions& options, const CellState& cell) {
+  const bool has_past = !cell.lag_velocity.isZero(0) || !cell.lag_acceleration.isZero(0);
+  if (options.integrator == Integrator::bdf2 && has_past) return bdf2_differencing(options);
+  return euler_differencing(options);
+}
+
+void time_step(const Model& model, const StepFactor& factor, std::span<const Patch> patches,
+               const SolverOptions& options, CellState& cell) {
+  const double dt = options.time_step;
+  const auto [h, past] = differencing(options, cell);
+  const auto n = static_cast<Eigen::Index>(model.num_vertices());
+  const Eigen::Map<const Eigen::VectorXd> solid_mass(model.solid_mass.data(), n);
+  const Eigen::VectorXd mass = solid_mass + cell.ambient_mass;
+  const Eigen::VectorXd inertia = mass / (h * h);
+  const VertexField last_move = dt * (cell.velocity + cell.lag_velocity);
+  const VertexField momentum = solid_mass.asDiagonal() * (cell.velocity + past * dt * cell.lag_acceleration) +
+                               cell.ambient_mass.asDiagonal() * cell.ambient_velocity;
+  const VertexField drift = past * last_move + h * mass.cwiseInverse().asDiagonal() * momentum;
+  const VertexField force = cell.external_force - cell.held_force;
+  const Dissipation dissipation(model, cell.position, last_move, past, h);
+  const StepObjective objective{model, cell.position, inertia, drift, force, dissipation, patches, cell.tied_at};
+
+  VertexField displacement = drift, gradient(n, 3);
+  const double stiffest = inertia.maxCoeff() + model.viscous_weight.diagonal().maxCoeff() / h;
+  const double tolerance = std::max(options.tolerance, attainable_residual(model, cell.position, stiffest, drift));
+  cell.report = minimise(objective, factor, options, {options.max_iterations, tolerance}, displacement, gradient);
+  if (has_failed(cell.report.status)) return;
+
+  // What residual force is left over has a mean, and the mean would be lost momentum. A rigid translation takes it out
+  // exactly, because neither elastic nor viscous energy feels a translation.
+  displacement.rowwise() -= gradient.colwise().sum() / inertia.sum();
+
+  const VertexField velocity = (displacement - past * last_move) / h;
+  if (options.integrator == Integrator::bdf2) {
+    cell.lag_velocity = displacement / dt - velocity;
+    cell.lag_acceleration = (velocity - cell.velocity) / dt;
+  } else {
+    cell.forget_past();
+  }
+  cell.position += displacement;
+  cell.velocity = velocity;
+  cell.held_force += cell.ambient_mass.asDiagonal() * (cell.velocity - cell.ambient_velocity) / dt;
+}
+
+void relax_cell(const Model& model, const StepFactor& factor, std::span<const Patch> patches,
+                const SolverOptions& options, CellState& cell) {
+  const auto n = static_cast<Eigen::Index>(model.num_vertices());
+  const Eigen::VectorXd inertia = Eigen::VectorXd::Zero(n);
+  const VertexField drift = VertexField::Zero(n, 3);
+  const Dissipation none(model);
+  const StepObjective objective{model, cell.position, inertia, drift, cell.external_force, none, patches, cell.tied_at};
+  VertexField displacement = drift, gradient(n, 3);
+  const double tolerance = std::max(options.tolerance, attainable_residual(model, cell.position, 0, drift));
+  cell.report = minimise(objective, factor, options, {options.relax_iterations, tolerance}, displacement, gradient);
+  if (has_failed(cell.report.status)) return;
+  cell.position += displacement;
+  cell.velocity.setZero();
+  cell.forget_past();
+}
+
+}  // namespace npfem
