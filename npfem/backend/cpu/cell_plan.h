@@ -120,6 +120,7 @@ struct CellPlan {
   GroupViews<GroupEnergies, R> vertex_groups;
   CellTermViews<CellEnergies, R> cell_terms;
   bool needs_area = false, needs_volume = false;  ///< by a cell energy
+  bool has_potential = true;  ///< every force is the gradient of its energy; not so for LineageVolume
   CellRest<R> rest{};
   bool is_viscous = false;
   MembraneViscosity::Params<R> viscosity{};  ///< on the triangles of the group that is the surface

@@ -138,6 +138,7 @@ PlanStorage<R>::PlanStorage(const Model& model, std::span<const int> order) {
       auto& view = plan_.cell_terms.template of<E>();
       view.present = true;
       view.params = in_numbers_of<typename E::template Params<R>>(*params, double{}, R{});
+      plan_.has_potential = plan_.has_potential && E::exact_gradient;
       plan_.needs_area = plan_.needs_area || E::uses_area;
       plan_.needs_volume = plan_.needs_volume || E::uses_volume;
     }

@@ -245,10 +245,14 @@ class ImplicitStep {
     stop(running, !(is_finite(value) & is_finite(worst)), CellStatus::not_finite, worst);
     stop(running, worst <= limit, CellStatus::converged, worst);
     M remembers = M::none();
+    worst_before_ = worst;
     while (running.any()) {
       stop_at_cap(running, worst);
       if (!running.any()) break;
-      for (int l = 0; l < cells; ++l) report_[l].iterations += running[l] ? 1 : 0;
+      for (int l = 0; l < cells; ++l) {
+        report_[l].iterations += running[l] ? 1 : 0;
+        report_[l].hessian_iterations += running[l] && search_.uses_blocks(l) ? 1 : 0;
+      }
       search_.direction(gradient_, direction_);
       P slope = inner(gradient_, direction_);
       const M uphill = running & !(slope < P(R(0)));
@@ -274,7 +278,21 @@ class ImplicitStep {
       value = next_value, scale = next_scale;
       worst = residual(gradient_);
       stop(running, worst <= limit, CellStatus::converged, worst);
+      leave_poor_guides(running, worst);
     }
+  }
+
+  /// A Hessian that still has not brought a cell's residual down after a few iterations is no better there than the
+  /// scalar matrix, which costs less and bounds the curvature from above.
+  void leave_poor_guides(M running, P worst) {
+    M leaving = M::none();
+    for (int l = 0; l < W; ++l) {
+      const int cell = cells == 1 ? 0 : l;
+      if (!running[l] || report_[cell].iterations % trial_iterations != 0 || !search_.uses_blocks(l)) continue;
+      if (worst[l] > worth_keeping * worst_before_[l]) leaving.set(l, true);
+      worst_before_.set(l, worst[l]);
+    }
+    if (leaving.any()) search_.fall_back(leaving);
   }
 
   /// Moves every running cell along its direction until its objective has fallen enough, or its change drowns in
@@ -293,7 +311,9 @@ class ImplicitStep {
       M accepted = finite & fallen;
       if ((searching & !accepted).any()) {
         const M flatter = magnitude(inner(trial_gradient_, direction_)) <= R(0.9) * magnitude(slope);
-        accepted = accepted | (finite & (magnitude(change) <= noise) & flatter);
+        // A force that is no gradient has no hill to go down: the slope alone decides.
+        const M unclear = plan_.has_potential ? magnitude(change) <= noise : M::all();
+        accepted = accepted | (finite & unclear & flatter);
       }
       searching = searching & !accepted;
       if (!searching.any()) break;
@@ -379,7 +399,9 @@ class ImplicitStep {
     b = c;
   }
 
-  static constexpr double largest_strain_square = 0.02;
+  static constexpr double largest_strain_square = 0.5;
+  static constexpr int trial_iterations = 6;
+  static constexpr R worth_keeping = R(0.1);
 
   const cpu::StepTask<R, H>& task_;
   const cpu::StepSettings& settings_;
@@ -389,6 +411,7 @@ class ImplicitStep {
   QuasiNewton<Shape, R, H, W> search_;
   P *start_, *inertia_, *drift_, *force_, *tied_, *last_move_, *here_, *there_, *gradient_, *trial_gradient_,
       *direction_, *position_, *area_gradient_, *volume_gradient_;
+  P worst_before_;  // at the last judgement of the matrix, pN
   CellReport report_[cells];
 };
 

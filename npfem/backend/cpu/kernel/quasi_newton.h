@@ -59,6 +59,15 @@ class QuasiNewton {
     }
   }
 
+  /// From now on these lanes use the scalar matrix, with an empty memory.
+  void fall_back(M lanes) {
+    blocks_ = blocks_ & !lanes_of_history(lanes);
+    all_blocks_ = blocks_.count() == W;
+    any_blocks_ = blocks_.any();
+    forget(lanes);
+  }
+  bool uses_blocks(int lane) const { return blocks_[lane]; }
+
   /// direction <- - H gradient.
   void direction(const P* gradient, P* direction) {
     for (int i = 0; i < length_; ++i) work_[i] = convert<H>(gradient[i]);
