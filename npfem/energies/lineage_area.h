@@ -43,7 +43,7 @@ struct LineageArea {
     const T sum_gap = sum - a, ratio_gap = R(1) - ratio;
     const T energy = R(0.25) * p.weight * (sum_gap * sum_gap + ratio_gap * ratio_gap * difference_square);
     // The gradient of a distance to a set is the distance vector: dW = w (l - s) . dl.
-    const T plus = p.weight * sum_gap / larger(sum, T(R(1e-30)));
+    const T plus = p.weight * sum_gap * (R(1) / larger(sum, T(R(1e-30))));
     const T minus = p.weight * ratio_gap;
     return {energy, R(0.25) * (plus + minus), R(0.5) * (plus - minus)};
   }

@@ -39,7 +39,7 @@ struct LineageSurfaceMaterial {
         p.mu * (square_sum_below + product_below) + R(0.5) * p.lambda * (square_sum + area_ratio - R(1));
     // dW = 1/2 [f'(l1) dl1 + f'(l2) dl2] = alpha dt/2 + beta dJ with
     // alpha + beta = slope_sum / (2 s), alpha - beta = slope_difference / 2.
-    const T plus = R(0.5) * slope_sum / larger(sum, T(R(1e-30)));
+    const T plus = R(0.5) * slope_sum * (R(1) / larger(sum, T(R(1e-30))));
     const T minus = R(0.5) * slope_difference;
     return {energy, R(0.25) * (plus + minus), R(0.5) * (plus - minus)};
   }

@@ -18,6 +18,7 @@ template <class R>
 struct TriangleRest {
   R inverse_metric_11, inverse_metric_12, inverse_metric_22;  ///< of the rest edges x1 - x0 and x2 - x0, 1/um^2
   R area;                                                     ///< um^2
+  R per_twice_area;                                           ///< 1/(2 area), 1/um^2
 };
 
 template <class R>
@@ -25,7 +26,8 @@ NPFEM_HD TriangleRest<R> triangle_rest(const Vec3<R> (&rest)[3]) {
   const Vec3<R> e1 = rest[1] - rest[0], e2 = rest[2] - rest[0];
   const R g11 = dot(e1, e1), g12 = dot(e1, e2), g22 = dot(e2, e2);
   const R determinant = g11 * g22 - g12 * g12;
-  return {g22 / determinant, -g12 / determinant, g11 / determinant, R(0.5) * norm(cross(e1, e2))};
+  const R twice_area = norm(cross(e1, e2));
+  return {g22 / determinant, -g12 / determinant, g11 / determinant, R(0.5) * twice_area, R(1) / twice_area};
 }
 
 /// A deformed triangle, as every law of the membrane sees it.
@@ -48,7 +50,7 @@ NPFEM_HD TriangleStrain<T> triangle_strain(const Vec3<T> (&x)[3], const Triangle
   s.unit_normal = (T(1) / larger(s.twice_area, T(1e-30f))) * s.area_vector;
   s.square_sum = rest.inverse_metric_11 * dot(s.e1, s.e1) + R(2) * rest.inverse_metric_12 * dot(s.e1, s.e2) +
                  rest.inverse_metric_22 * dot(s.e2, s.e2);
-  s.area_ratio = R(0.5) / rest.area * s.twice_area;
+  s.area_ratio = rest.per_twice_area * s.twice_area;
   return s;
 }
 

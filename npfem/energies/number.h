@@ -29,11 +29,16 @@ NPFEM_HD T larger(const T& a, const T& b) {
   return select(a < b, b, a);
 }
 
-/// On a bound the bound is returned, so that a derivative sees a constant there: with least = largest it never sees
-/// `a`.
+template <class T>
+NPFEM_HD T smaller(const T& a, const T& b) {
+  return select(a < b, a, b);
+}
+
+/// On a bound the bound is returned, so that a derivative sees a constant there: with least = largest it never sees `a`.
 template <class T>
 NPFEM_HD T clamp(const T& a, const T& least, const T& largest) {
-  return select(least < a, select(a < largest, a, largest), least);
+  const T below = smaller(a, largest);
+  return select(least < below, below, least);
 }
 
 }  // namespace npfem

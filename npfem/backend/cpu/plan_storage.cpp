@@ -147,7 +147,7 @@ PlanStorage<R>::PlanStorage(const Model& model, std::span<const int> order) {
   for (auto& group : groups_) {
     if (!group.rest)
       group.rest = keep(std::vector<TriangleRest<R>>(static_cast<std::size_t>(group.count),
-                                                     TriangleRest<R>{R(1), R(0), R(1), R(0.5)}));
+                                                     TriangleRest<R>{R(1), R(0), R(1), R(0.5), R(1)}));
   }
   plan_.groups = groups_.data();
   plan_.num_groups = static_cast<int>(groups_.size());

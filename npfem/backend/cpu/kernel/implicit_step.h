@@ -37,11 +37,13 @@ class ImplicitStep {
     prepare();
     choose_matrix();
     minimise();
+    bool moves[cells];
     for (int l = 0; l < cells; ++l) {
-      if ((task_.active >> l & 1u) == 0) continue;
-      task_.block.report[task_.first_lane + l] = report_[l];
-      if (!has_failed(report_[l].status)) finish(l);
+      const bool takes_part = (task_.active >> l & 1u) != 0;
+      if (takes_part) task_.block.report[task_.first_lane + l] = report_[l];
+      moves[l] = takes_part && !has_failed(report_[l].status);
     }
+    finish(moves);
   }
 
  private:
@@ -99,12 +101,9 @@ class ImplicitStep {
     Matrix3<P> rotation{};
     M blocks = M::none();
     if (task_.matrices->has_block && settings_.matrix != 1) {
-      P departure, strain(R(0));
+      P departure;
       rotation = orthogonal_factor<R>(moment(), departure);
-      for (int l = 0; l < W; ++l) {
-        const R change = strain_square(rotation, cells == 1 ? 0 : l);
-        strain.set(l, change);
-      }
+      const P strain = strain_square(rotation);
       blocks = departure < P(R(1e-4));
       if (settings_.matrix == 0) blocks = blocks & (strain < P(R(largest_strain_square)));
     }
@@ -134,19 +133,29 @@ class ImplicitStep {
   }
 
   /// Mean square distance to the turned shape at rest, over its mean square size.
-  R strain_square(const Matrix3<P>& q, int l) const {
-    R distance = 0, size = 0;
-    for (int i = 0; i < n_; ++i) {
-      const R rest[3] = {static_cast<R>(task_.rest_shape[3 * i]), static_cast<R>(task_.rest_shape[3 * i + 1]),
-                         static_cast<R>(task_.rest_shape[3 * i + 2])};
-      for (int a = 0; a < 3; ++a) {
-        const R turned = q.row[a].x[l] * rest[0] + q.row[a].y[l] * rest[1] + q.row[a].z[l] * rest[2];
-        const R gap = Fields::row(start_, 3 * i + a)[l] - turned;
-        distance += gap * gap;
-        size += rest[a] * rest[a];
+  P strain_square(const Matrix3<P>& rotation) const {
+    R q[3][3][cells], distance[cells] = {}, size = 0;
+    for (int a = 0; a < 3; ++a) {
+      const P* const row[3] = {&rotation.row[a].x, &rotation.row[a].y, &rotation.row[a].z};
+      for (int b = 0; b < 3; ++b) {
+        for (int l = 0; l < cells; ++l) q[a][b][l] = (*row[b])[l];
       }
     }
-    return distance / size;
+    for (int i = 0; i < n_; ++i) {
+      const R x = static_cast<R>(task_.rest_shape[3 * i]), y = static_cast<R>(task_.rest_shape[3 * i + 1]),
+              z = static_cast<R>(task_.rest_shape[3 * i + 2]);
+      size += x * x + y * y + z * z;
+      for (int a = 0; a < 3; ++a) {
+        const R* const at = Fields::row(start_, 3 * i + a);
+        for (int l = 0; l < cells; ++l) {
+          const R gap = at[l] - (q[a][0][l] * x + q[a][1][l] * y + q[a][2][l] * z);
+          distance[l] += gap * gap;
+        }
+      }
+    }
+    P strain;
+    for (int l = 0; l < W; ++l) strain.set(l, distance[cells == 1 ? 0 : l] / size);
+    return strain;
   }
 
   /// Phi at displacements d; writes its gradient and the sum of the magnitudes of its parts.
@@ -362,33 +371,55 @@ class ImplicitStep {
     }
   }
 
-  /// The rigid translation that makes momentum exact, then the new state of one cell.
-  void finish(int l) {
-    const cpu::CellBlock& b = task_.block;
-    const double dt = settings_.time_step;
-    double force[3] = {0, 0, 0}, inertia = 0;
+  /// The rigid translation that makes momentum exact, then the new state of the cells that move.
+  void finish(const bool (&moves)[cells]) {
+    double shift[3][cells] = {}, inertia[cells] = {};
     for (int i = 0; i < n_; ++i) {
-      for (int c = 0; c < 3; ++c) force[c] += static_cast<double>(Fields::row(gradient_, 3 * i + c)[l]);
-      inertia += static_cast<double>(Fields::row(inertia_, 3 * i)[l]);
-    }
-    for (int i = 0; i < n_; ++i) {
-      const double fluid_mass = b.ambient_mass ? fields_.from(b.ambient_mass, i)[l] : 0.0;
       for (int c = 0; c < 3; ++c) {
-        const int row = 3 * i + c;
-        const double d = static_cast<double>(Fields::row(here_, row)[l]) - force[c] / inertia;
-        double& v = fields_.from(b.velocity, row)[l];
-        const double velocity = (d - settings_.past * last_move(row, l)) / settings_.lead;
-        if (b.lag_velocity) {
-          fields_.from(b.lag_velocity, row)[l] = settings_.looks_back ? d / dt - velocity : 0.0;
-          fields_.from(b.lag_acceleration, row)[l] = settings_.looks_back ? (velocity - v) / dt : 0.0;
-        }
-        v = velocity;
-        fields_.from(b.position, row)[l] += d;
-        if (b.held_force && b.ambient_mass) {
-          const double u = b.ambient_velocity ? fields_.from(b.ambient_velocity, row)[l] : 0.0;
-          fields_.from(b.held_force, row)[l] += fluid_mass * (v - u) / dt;
-        }
+        const R* const g = Fields::row(gradient_, 3 * i + c);
+        for (int l = 0; l < cells; ++l) shift[c][l] += static_cast<double>(g[l]);
       }
+      const R* const m = Fields::row(inertia_, 3 * i);
+      for (int l = 0; l < cells; ++l) inertia[l] += static_cast<double>(m[l]);
+    }
+    for (int c = 0; c < 3; ++c) {
+      for (int l = 0; l < cells; ++l) shift[c][l] = inertia[l] > 0 ? shift[c][l] / inertia[l] : 0.0;
+    }
+    for (int row = 0; row < 3 * n_; ++row) finish_row(row, shift[row % 3], moves);
+  }
+
+  void finish_row(int row, const double (&shift)[cells], const bool (&moves)[cells]) {
+    const cpu::CellBlock& b = task_.block;
+    const double dt = settings_.time_step, per_lead = 1 / settings_.lead;
+    const R* const here = Fields::row(here_, row);
+    double* const x = fields_.from(b.position, row);
+    double* const v = fields_.from(b.velocity, row);
+    double move[cells], velocity[cells];
+    for (int l = 0; l < cells; ++l) {
+      move[l] = static_cast<double>(here[l]) - shift[l];
+      velocity[l] = (move[l] - settings_.past * last_move(row, l)) * per_lead;
+    }
+    if (b.lag_velocity) {
+      double* const lag = fields_.from(b.lag_velocity, row);
+      double* const acceleration = fields_.from(b.lag_acceleration, row);
+      for (int l = 0; l < cells; ++l) {
+        if (!moves[l]) continue;
+        lag[l] = settings_.looks_back ? move[l] / dt - velocity[l] : 0.0;
+        acceleration[l] = settings_.looks_back ? (velocity[l] - v[l]) / dt : 0.0;
+      }
+    }
+    if (b.held_force && b.ambient_mass) {
+      double* const held = fields_.from(b.held_force, row);
+      const double* const mass = fields_.from(b.ambient_mass, row / 3);
+      const double* const u = b.ambient_velocity ? fields_.from(b.ambient_velocity, row) : nullptr;
+      for (int l = 0; l < cells; ++l) {
+        const double gain = mass[l] * (velocity[l] - (u ? u[l] : 0.0)) / dt;
+        held[l] += moves[l] ? gain : 0.0;
+      }
+    }
+    for (int l = 0; l < cells; ++l) {
+      x[l] += moves[l] ? move[l] : 0.0;
+      v[l] = moves[l] ? velocity[l] : v[l];
     }
   }
 
