@@ -16,7 +16,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 using S = SolverOptions;
 
-constexpr std::array<OptionInfo, 14> table{{
+constexpr std::array<OptionInfo, 15> table{{
     {"time_step", "us", "time step of the cell solver", 1e-9, 1e12, &S::time_step},
     {"tolerance", "pN", "largest component of the residual force at which a cell has converged", 0, infinity,
      &S::tolerance},
@@ -24,8 +24,11 @@ constexpr std::array<OptionInfo, 14> table{{
      "at the iteration cap, a smaller residual is a warning and a larger one a "
      "failure",
      0, infinity, &S::residual_bound},
-    {"max_iterations", "1", "iterations allowed in a step", 1, 1e9, &S::max_iterations},
-    {"relax_iterations", "1", "iterations allowed in a static solve", 1, 1e9, &S::relax_iterations},
+    {"max_iterations", "1", "quasi-Newton iterations allowed in a step", 1, 1e9, &S::max_iterations},
+    {"relax_iterations", "1", "quasi-Newton iterations allowed in a static solve", 1, 1e9, &S::relax_iterations},
+    {"newton_iterations", "1",
+     "iterations of Newton's method allowed where the quasi-Newton iterations stop short of the tolerance; 0: none", 0, 1e9,
+     &S::newton_iterations},
     {"history", "1", "pairs of steps and gradients kept by L-BFGS; 0 is plain quasi-Newton", 0, 1000, &S::history},
     {"max_line_search", "1", "trials allowed in one line search", 1, 1000, &S::max_line_search},
     {"lineage_alpha", "1", "lineage Calpha: share of the non-rigid velocity removed in each step", 0, 1,

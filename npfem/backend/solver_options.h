@@ -14,7 +14,8 @@ struct SolverOptions {
   double tolerance = 1e-4;      ///< pN, on the largest component of the residual force
   double residual_bound = 1.0;  ///< pN: at the iteration cap a smaller residual is a warning, a larger one a failure
   int max_iterations = 200;
-  int relax_iterations = 20000;  ///< cap of a static solve
+  int relax_iterations = 2000;   ///< cap of a static solve
+  int newton_iterations = 100;   ///< cap of Newton's method, where a quasi-Newton solve stops short of the tolerance
   int history = 7;               ///< pairs kept by L-BFGS
   int max_line_search = 20;      ///< trials per iteration
 

@@ -2,23 +2,11 @@
 #include "backend/reference/implicit_euler.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "backend/reference/minimise.h"
+#include "backend/newton.h"
 
 namespace npfem {
-namespace {
-
-/// The smallest residual that rounding lets a step of this cell reach: a few ulps of the largest forces in it.
-double attainable_residual(const Model& model, const VertexField& position, const Eigen::VectorXd& inertia,
-                           const VertexField& drift) {
-  constexpr double ulps = 32 * std::numeric_limits<double>::epsilon();
-  return ulps * (inertia.maxCoeff() * drift.cwiseAbs().maxCoeff() +
-                 model.weight.diagonal().maxCoeff() * position.cwiseAbs().maxCoeff());
-}
-
-}  // namespace
-
 void implicit_euler_step(const Model& model, const StepFactor& factor, std::span<const Patch> patches,
                          const SolverOptions& options, CellState& cell) {
   const double dt = options.time_step;
@@ -33,8 +21,9 @@ void implicit_euler_step(const Model& model, const StepFactor& factor, std::span
   const StepObjective objective{model, cell.position, inertia, drift, force, patches, cell.tied_at};
 
   VertexField displacement = drift, gradient(n, 3);
-  const double tolerance = std::max(options.tolerance, attainable_residual(model, cell.position, inertia, drift));
+  const double tolerance = std::max(options.tolerance, attainable_residual(objective));
   cell.report = minimise(objective, factor, options, {options.max_iterations, tolerance}, displacement, gradient);
+  finish_by_newton(objective, options, displacement, gradient, cell.report);
   if (has_failed(cell.report.status)) return;
 
   // What residual force is left over has a mean, and the mean would be lost momentum. A rigid translation takes it out
@@ -44,20 +33,6 @@ void implicit_euler_step(const Model& model, const StepFactor& factor, std::span
   cell.position += displacement;
   cell.velocity = displacement / dt;
   cell.held_force += cell.ambient_mass.asDiagonal() * (cell.velocity - cell.ambient_velocity) / dt;
-}
-
-void relax_cell(const Model& model, const StepFactor& factor, std::span<const Patch> patches,
-                const SolverOptions& options, CellState& cell) {
-  const auto n = static_cast<Eigen::Index>(model.num_vertices());
-  const Eigen::VectorXd inertia = Eigen::VectorXd::Zero(n);
-  const VertexField drift = VertexField::Zero(n, 3);
-  const StepObjective objective{model, cell.position, inertia, drift, cell.external_force, patches, cell.tied_at};
-  VertexField displacement = drift, gradient(n, 3);
-  const double tolerance = std::max(options.tolerance, attainable_residual(model, cell.position, inertia, drift));
-  cell.report = minimise(objective, factor, options, {options.relax_iterations, tolerance}, displacement, gradient);
-  if (has_failed(cell.report.status)) return;
-  cell.position += displacement;
-  cell.velocity.setZero();
 }
 
 }  // namespace npfem

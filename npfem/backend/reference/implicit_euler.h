@@ -18,8 +18,4 @@ namespace npfem {
 void implicit_euler_step(const Model& model, const StepFactor& factor, std::span<const Patch> patches,
                          const SolverOptions& options, CellState& cell);
 
-/// Static equilibrium under the external forces; velocities become zero. `factor` is that of the bare weights.
-void relax_cell(const Model& model, const StepFactor& factor, std::span<const Patch> patches,
-                const SolverOptions& options, CellState& cell);
-
 }  // namespace npfem

@@ -5,6 +5,7 @@
 
 #include "backend/reference/elasticity.h"
 #include "backend/reference/implicit_euler.h"
+#include "backend/reference/relax.h"
 
 namespace npfem {
 namespace {
