@@ -10,8 +10,8 @@
 
 namespace npfem {
 
-/// Static equilibrium under the external forces; velocities become zero. Quasi-Newton iterations around `factor`, that of
-/// the bare weights, and Newton's method where those stop short. A failed cell keeps its state.
+/// Static equilibrium under the external forces; velocities become zero. Quasi-Newton iterations around `factor`, that
+/// of the bare weights, and Newton's method where those stop short. A failed cell keeps its state.
 void relax_cell(const Model& model, const StepFactor& factor, std::span<const Patch> patches,
                 const SolverOptions& options, CellState& cell);
 
