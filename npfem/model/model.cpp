@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "model/model.h"
 
+#include <cmath>
+
+#include "error.h"
 #include "mesh/geometry.h"
 #include "model/model_parts.h"
 
@@ -30,6 +33,12 @@ std::vector<std::string> Model::energy_names() const {
 
 namespace {
 
+[[noreturn]] void refuse_weight(const char* energy, std::size_t element) {
+  throw Error(Status::bad_input, "energy " + std::string(energy) + ", element " + std::to_string(element) +
+                                     ": its weight in the matrix of the solver is not finite: needed are a rest shape "
+                                     "of positive area and a finite modulus of at least 0");
+}
+
 Eigen::SparseMatrix<double> assemble_weight(const Model& model) {
   std::vector<Eigen::Triplet<double>> entries;
   for_each_energy(ElementEnergies{}, [&](auto tag) {
@@ -40,6 +49,7 @@ Eigen::SparseMatrix<double> assemble_weight(const Model& model) {
       const int num_rows = E::weight_rows(block.rest[e], block.params[e], rows);
       for (int r = 0; r < num_rows; ++r) {
         for (int i = 0; i < E::num_vertices; ++i) {
+          if (!std::isfinite(rows[r][i] * rows[r][i])) refuse_weight(E::name, e);
           for (int j = 0; j < E::num_vertices; ++j) {
             entries.emplace_back(block.vertices[e][static_cast<std::size_t>(i)],
                                  block.vertices[e][static_cast<std::size_t>(j)], rows[r][i] * rows[r][j]);
