@@ -51,19 +51,19 @@ class NewtonFactor {
     identity_.setIdentity();
   }
 
-  /// `damping`: added to the diagonal, in units of its mean. False where the matrix is not positive definite.
-  bool factorise(const VertexField& displacement, Definite definite, double damping) {
-    const VertexField x = objective_.start + displacement;
-    const std::span<const double> positions(x.data(), static_cast<std::size_t>(x.size()));
-    const SparseMatrix matrix =
-        elastic_hessian(objective_.model, positions, definite) + constant_ + damping * unit_ * identity_;
-    if (!ordered_) factor_.analyzePattern(matrix);
-    ordered_ = true;
-    factor_.factorize(matrix);
-    if (factor_.info() != Eigen::Success) return false;
-    // The dense parts may hold what the sparse one lets go: a cell under tension that only its volume keeps from
-    // pinching. Each negative direction of S must be one of C = K^-1 + D^T S^-1 D too (Haynsworth's inertia formula).
-    return negatives(factor_.vectorD()) == take_dense_parts(global_stiffness(objective_.model, positions));
+  /// A positive definite matrix for the next step: the exact second derivative, with `damping` (in units of the mean
+  /// diagonal) on its diagonal; where a few directions curve downward, with what lifts just these, so that the step
+  /// leaves a saddle quickly; the projected one where many do. False where none is definite.
+  bool prepare(const VertexField& displacement, double damping) {
+    constexpr int few = 8;
+    assemble(displacement, Definite::exact);
+    for (double lift = damping; lift < 0.5; lift = std::max(4 * lift, 1e-4)) {
+      const Eigen::Index downward = factorise(lift);
+      if (downward == 0) return true;
+      if (downward > few) break;
+    }
+    assemble(displacement, Definite::projected);
+    return factorise(damping) == 0;
   }
 
   /// - H^-1 gradient, where H = S + D diag(k) D^T: S^-1 g less its part along S^-1 D (Sherman, Morrison, Woodbury).
@@ -74,32 +74,53 @@ class NewtonFactor {
   }
 
  private:
+  void assemble(const VertexField& displacement, Definite definite) {
+    const VertexField x = objective_.start + displacement;
+    const std::span<const double> positions(x.data(), static_cast<std::size_t>(x.size()));
+    matrix_ = elastic_hessian(objective_.model, positions, definite) + constant_;
+    take_dense_parts(global_stiffness(objective_.model, positions));
+  }
+
+  /// Returns the number of directions in which H curves downward.
+  Eigen::Index factorise(double damping) {
+    const SparseMatrix damped = matrix_ + damping * unit_ * identity_;
+    if (!ordered_) factor_.analyzePattern(damped);
+    ordered_ = true;
+    factor_.factorize(damped);
+    if (factor_.info() != Eigen::Success) return damped.rows();
+    // The dense parts may hold what the sparse one lets go: a cell under tension that only its volume keeps from
+    // pinching. The negative directions of C = K^-1 + D^T S^-1 D are those of S that D holds (Haynsworth's formula).
+    return negatives(factor_.vectorD()) - factorise_capacitance();
+  }
+
   static Eigen::Index negatives(const Eigen::VectorXd& values) { return (!(values.array() > 0)).count(); }
 
-  /// Returns the number of negative directions of C.
-  Eigen::Index take_dense_parts(const std::vector<GlobalStiffness>& parts) {
-    const auto count = static_cast<Eigen::Index>(parts.size());
-    dense_.resize(constant_.rows(), count);
-    if (count == 0) return 0;
-    Eigen::VectorXd compliance(count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const GlobalStiffness& part = parts[static_cast<std::size_t>(i)];
-      dense_.col(i) = part.direction;
-      compliance(i) = 1 / part.stiffness;
+  void take_dense_parts(const std::vector<GlobalStiffness>& parts) {
+    dense_.resize(constant_.rows(), static_cast<Eigen::Index>(parts.size()));
+    compliance_.resize(dense_.cols());
+    for (Eigen::Index i = 0; i < dense_.cols(); ++i) {
+      dense_.col(i) = parts[static_cast<std::size_t>(i)].direction;
+      compliance_(i) = 1 / parts[static_cast<std::size_t>(i)].stiffness;
     }
+  }
+
+  /// C, and the number of its negative directions.
+  Eigen::Index factorise_capacitance() {
+    if (dense_.cols() == 0) return 0;
     solved_dense_ = factor_.solve(dense_);
     Eigen::MatrixXd capacitance = dense_.transpose() * solved_dense_;
-    capacitance += compliance.asDiagonal();
+    capacitance += compliance_.asDiagonal();
     capacitance_.compute(capacitance);
     return negatives(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(capacitance).eigenvalues());
   }
 
   const StepObjective& objective_;
-  SparseMatrix constant_, identity_;
+  SparseMatrix constant_, identity_, matrix_;
   double unit_;  ///< pN/um
   bool ordered_ = false;
   Eigen::SimplicialLDLT<SparseMatrix> factor_;
   Eigen::MatrixXd dense_, solved_dense_;
+  Eigen::VectorXd compliance_;
   Eigen::PartialPivLU<Eigen::MatrixXd> capacitance_;
 };
 
@@ -112,14 +133,17 @@ class Damping {
     if (step >= 1) {
       value_ = std::max(0.1 * value_, least);
     } else if (step < 0.1) {
-      value_ = std::max(10 * value_, 1e-4);
+      value_ = std::max(100 * value_, 1e-4);
     }
+    stalls_ = step < 1e-3 ? stalls_ + 1 : 0;
   }
-  bool exhausted() const { return value_ > 1e4; }
+  /// No damping helps: the minimum lies on a kink, or the forces are the gradient of no energy (lineage volume).
+  bool exhausted() const { return stalls_ >= 4; }
 
  private:
   static constexpr double least = 1e-9;
   double value_ = least;
+  int stalls_ = 0;
 };
 
 }  // namespace
@@ -146,15 +170,14 @@ CellReport newton_minimise(const StepObjective& objective, const SolverOptions& 
     }
     ++report.iterations;
     LineSearch search{0, 0};
-    if (factor.factorise(here.displacement, Definite::exact, damping.value()) ||
-        factor.factorise(here.displacement, Definite::projected, damping.value())) {
+    if (factor.prepare(here.displacement, damping.value())) {
       search = line_search(objective, here, factor.direction(here.gradient), options.max_line_search, next);
     }
     report.evaluations += search.evaluations;
     damping.learn(search.step);
-    if (search.step > 0) {
-      std::swap(here, next);
-    } else if (damping.exhausted()) {
+    if (search.step > 0) std::swap(here, next);
+    if (damping.exhausted()) {
+      report.residual = here.residual();
       report.status = ended_short(report.residual, options, CellStatus::no_descent);
       break;
     }
