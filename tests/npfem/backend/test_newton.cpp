@@ -5,7 +5,6 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
-#include <cstdio>
 
 #include "cells.h"
 #include "model/hessian.h"
@@ -83,9 +82,9 @@ TEST(Newton, ConvergesQuadratically) {
     VertexField d = near;
     residual[iterations] = newton_minimise(objective, {}, {iterations, 0}, d, gradient).residual;
   }
-  std::printf("residuals %.2e %.2e %.2e pN\n", residual[0], residual[1], residual[2]);
-  EXPECT_LT(residual[1], 0.2 * residual[0]);
-  EXPECT_GT(std::log(residual[2] / residual[1]) / std::log(residual[1] / residual[0]), 1.7);
+  EXPECT_LT(residual[1], 1e-2 * residual[0]);
+  EXPECT_LT(residual[2] / residual[1], 0.3 * residual[1] / residual[0])
+      << "each iteration must gain more than the last";
 }
 
 TEST(Newton, EndsWhereTheQuasiNewtonIterationsEnd) {
