@@ -39,13 +39,13 @@ class Table : public ::testing::Environment {
              "method finished it); *errors*: worst after any solve, against the rest volume and area,\n"
              "elastic strain included. \"Plasma\": each vertex is dragged with its share of 6 pi eta a.\n\n"
           << text
-          << "\nWhere an error is the answer, a triangle has lost its area: the angle of a hinge is then not\n"
-             "defined, and the energy jumps by up to twice the bending stiffness when the triangle turns\n"
-             "over, so that its minimum may lie on the jump, where no residual force vanishes. Random\n"
-             "vertices are full of such triangles; under 1000 pN they appear where the neck behind a bead\n"
-             "closes. With a small disturbance (0.02 um) the stretched cell leaves its symmetric\n"
-             "equilibria and the neck closes above about 630 pN. Forces of the tweezers experiment end\n"
-             "at 200 pN.\n";
+          << "\nWhere an error is the answer, the tension of the whole area (`global_area_modulus`) holds\n"
+             "triangles that have lost their own: area is the length of a vector, which has no slope at\n"
+             "zero, so the minimum lies on a kink where no residual force vanishes. Scrambled vertices make\n"
+             "such triangles, and so does 1000 pN where the neck behind a bead closes; without that energy the\n"
+             "same cases converge. The stretched cell is shown on its symmetric branch: with a disturbance of\n"
+             "0.02 um it leaves it at 550 pN, and the neck closes at about 650 pN. The tweezers experiment\n"
+             "ends at 200 pN.\n";
     }
   }
 };

@@ -88,6 +88,13 @@ inline std::string named(const char* format, double number) {
   return name;
 }
 
+/// The shipped red cell with solid inside (1 fg/um3 is 1 kg/m3) or other properties.
+inline std::shared_ptr<const Model> cell_with(const char* key, double value, int level = 2) {
+  Material material = Material::preset("rbc");
+  material.set(key, value);
+  return std::make_shared<const Model>(build_model(evans_fung_cell(level), material));
+}
+
 /// Drag of the whole cell in plasma, fg/us: 6 pi eta a for eta = 1 mPa s, a = 4 um.
 inline constexpr double cell_drag = 75000;
 
