@@ -78,7 +78,7 @@ static void misuse_parameters(const struct Objects* o) {
   FAILS(npfem_set_f64(o->batch, "time_stepp", 1), NPFEM_ERROR_NAME,
         "npfem_set_f64: no parameter \"time_stepp\"; did you mean "
         "\"time_step\"? allowed: time_step, tolerance, "
-        "residual_bound, max_iterations, relax_iterations, history, "
+        "residual_bound, max_iterations, relax_iterations, newton_iterations, history, "
         "max_line_search, lineage_alpha, lineage_beta, "
         "lineage_tolerance, lineage_window, lineage_attempts, lineage_armijo, "
         "lineage_curvature, method");
@@ -108,12 +108,12 @@ static void misuse_parameters(const struct Objects* o) {
         "npfem_set_text: membrane_law: unknown word \"skalac\"; did you mean "
         "\"skalak\"? allowed: none, skalak, "
         "neo_hookean, lineage");
-  FAILS(npfem_param_name(o->batch, 15, text, 64), NPFEM_ERROR_ARGUMENT,
-        "npfem_param_name: parameter 15 does not exist; there are 15, from 0");
+  FAILS(npfem_param_name(o->batch, 16, text, 64), NPFEM_ERROR_ARGUMENT,
+        "npfem_param_name: parameter 16 does not exist; there are 16, from 0");
   FAILS(npfem_param_kind(o->batch, -1), NPFEM_ERROR_ARGUMENT,
-        "npfem_param_kind: parameter -1 does not exist; there are 15, from 0");
+        "npfem_param_kind: parameter -1 does not exist; there are 16, from 0");
   FAILS(npfem_param_range(o->batch, 0, &a, NULL, &b), NPFEM_ERROR_ARGUMENT, "npfem_param_range: largest is NULL");
-  FAILS(npfem_param_range(o->batch, 14, &a, &b, &b), NPFEM_ERROR_ARGUMENT,
+  FAILS(npfem_param_range(o->batch, 15, &a, &b, &b), NPFEM_ERROR_ARGUMENT,
         "npfem_param_range: parameter \"method\" is a word; use npfem_set_text "
         "and npfem_get_text");
 }
@@ -339,7 +339,7 @@ static void misuse_packed_cells(const struct Objects* o) {
   packed[0] = 1;
   packed[5] = HUGE_VAL;
   FAILS(npfem_batch_unpack(o->batch, 0, packed, 1056), NPFEM_ERROR_INPUT,
-        "npfem_batch_unpack: a packed cell holds a number that is not finite");
+        "npfem_batch_unpack: field \"position\": found inf at vertex 1 of cell 0; allowed are finite numbers");
   OK(npfem_batch_state_hash(o->batch, 0, 1, &after, 1));
   HOLDS(before == after);
 }

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "backend/reference/minimise.h"
 #include "backend/newton.h"
+#include "backend/reference/minimise.h"
 
 namespace npfem {
 void implicit_euler_step(const Model& model, const StepFactor& factor, std::span<const Patch> patches,

@@ -66,11 +66,10 @@ std::uint64_t outcome(const SolverOptions& options) {
 
 TEST(SolverOptions, EachChangesTheResult) {
   const std::map<std::string, double> changed{
-      {"time_step", 0.5},          {"tolerance", 1e3},         {"residual_bound", 0},
-      {"max_iterations", 2},       {"relax_iterations", 3},    {"history", 1},           {"newton_iterations", 1},
-      {"max_line_search", 1},      {"lineage_alpha", 0.5},     {"lineage_beta", 0.1},
-      {"lineage_tolerance", 1e-2}, {"lineage_window", 3},      {"lineage_attempts", 1},
-      {"lineage_armijo", 0.9},     {"lineage_curvature", 0.01}};
+      {"time_step", 0.5},      {"tolerance", 1e3},      {"residual_bound", 0},       {"max_iterations", 2},
+      {"relax_iterations", 3}, {"history", 1},          {"newton_iterations", 1},    {"max_line_search", 1},
+      {"lineage_alpha", 0.5},  {"lineage_beta", 0.1},   {"lineage_tolerance", 1e-2}, {"lineage_window", 3},
+      {"lineage_attempts", 1}, {"lineage_armijo", 0.9}, {"lineage_curvature", 0.01}};
   for (const OptionInfo& info : solver_options()) {
     SolverOptions options;
     options.lineage = std::string(info.key).starts_with("lineage");
