@@ -16,7 +16,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 using S = SolverOptions;
 
-constexpr std::array<OptionInfo, 19> table{{
+constexpr std::array<OptionInfo, 20> table{{
     {"time_step", "us", "time step of the cell solver", 1e-9, 1e12, &S::time_step},
     {"integrator", "1",
      "0: implicit Euler, first order in the time step; 1: BDF2, second order, for cells without a fluid", 0, 1,
@@ -27,8 +27,11 @@ constexpr std::array<OptionInfo, 19> table{{
      "at the iteration cap, a smaller residual is a warning and a larger one a "
      "failure",
      0, infinity, &S::residual_bound},
-    {"max_iterations", "1", "iterations allowed in a step", 1, 1e9, &S::max_iterations},
-    {"relax_iterations", "1", "iterations allowed in a static solve", 1, 1e9, &S::relax_iterations},
+    {"max_iterations", "1", "quasi-Newton iterations allowed in a step", 1, 1e9, &S::max_iterations},
+    {"relax_iterations", "1", "quasi-Newton iterations allowed in a static solve", 1, 1e9, &S::relax_iterations},
+    {"newton_iterations", "1",
+     "iterations of Newton's method allowed where the quasi-Newton iterations stop short of the tolerance; 0: none", 0,
+     1e9, &S::newton_iterations},
     {"history", "1", "pairs of steps and gradients kept by L-BFGS; 0 is plain quasi-Newton", 0, 1000, &S::history},
     {"max_line_search", "1", "trials allowed in one line search", 1, 1000, &S::max_line_search},
     {"precision", "1", "back end cpu: 0 double; 1 mixed, float for matrices and history only; 2 float", 0, 2,
@@ -59,6 +62,16 @@ const OptionInfo& find(std::string_view key) {
   throw Error(Status::unknown_name, "no option \"" + std::string(key) + "\"" + text::suggestion(key, keys));
 }
 
+void require_in_range(const OptionInfo& option, double value) {
+  const bool whole = std::holds_alternative<int SolverOptions::*>(option.member);
+  if (!(value >= option.least && value <= option.largest) || (whole && value != std::floor(value))) {
+    throw Error(Status::bad_input, "option \"" + std::string(option.key) + "\" = " + text::format_number(value) + " " +
+                                       option.unit + ": allowed are " + (whole ? "whole " : "") + "numbers from " +
+                                       text::format_number(option.least) + " to " +
+                                       text::format_number(option.largest));
+  }
+}
+
 }  // namespace
 
 std::span<const OptionInfo> solver_options() {
@@ -71,16 +84,14 @@ double get_option(const SolverOptions& options, std::string_view key) {
 
 void set_option(SolverOptions& options, std::string_view key, double value) {
   const OptionInfo& option = find(key);
-  const bool whole = std::holds_alternative<int SolverOptions::*>(option.member);
-  if (!(value >= option.least && value <= option.largest) || (whole && value != std::floor(value))) {
-    throw Error(Status::bad_input, "option \"" + std::string(key) + "\" = " + text::format_number(value) + " " +
-                                       option.unit + ": allowed are " + (whole ? "whole " : "") + "numbers from " +
-                                       text::format_number(option.least) + " to " +
-                                       text::format_number(option.largest));
-  }
+  require_in_range(option, value);
   std::visit(
       [&](auto member) { options.*member = static_cast<std::remove_reference_t<decltype(options.*member)>>(value); },
       option.member);
+}
+
+void require_valid(const SolverOptions& options) {
+  for (const OptionInfo& option : table) require_in_range(option, get_option(options, option.key));
 }
 
 }  // namespace npfem

@@ -18,9 +18,10 @@ struct SolverOptions {
   double tolerance = 1e-4;      ///< pN, on the largest component of the residual force
   double residual_bound = 1.0;  ///< pN: at the iteration cap a smaller residual is a warning, a larger one a failure
   int max_iterations = 200;
-  int relax_iterations = 20000;  ///< cap of a static solve
-  int history = 7;               ///< pairs kept by L-BFGS
-  int max_line_search = 20;      ///< trials per iteration
+  int relax_iterations = 2000;  ///< cap of a static solve
+  int newton_iterations = 100;  ///< cap of Newton's method, where a quasi-Newton solve stops short of the tolerance
+  int history = 7;              ///< pairs kept by L-BFGS
+  int max_line_search = 20;     ///< trials per iteration
 
   int precision = 0;   ///< back end cpu: 0 double; 1 mixed: float for matrices and history; 2 float
   int threads = 0;     ///< back end cpu: 0 is OMP_NUM_THREADS, or one where that is not set
@@ -52,5 +53,8 @@ std::span<const OptionInfo> solver_options();
 /// unchanged.
 double get_option(const SolverOptions& options, std::string_view key);
 void set_option(SolverOptions& options, std::string_view key, double value);
+
+/// Throws Error(bad_input) for the first option out of its range: options may also be set past set_option.
+void require_valid(const SolverOptions& options);
 
 }  // namespace npfem

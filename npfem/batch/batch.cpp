@@ -30,6 +30,21 @@ std::size_t size_of(Field field, int vertices, int cells = 1) {
          static_cast<std::size_t>(cells);
 }
 
+/// Numbers that a field may hold; `per_cell` of them for each cell from `first_cell`.
+void require_allowed(Field field, std::span<const double> values, std::size_t per_cell, int first_cell) {
+  const std::string name = field_names[static_cast<std::size_t>(field)];
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i]) || (field == Field::ambient_mass && values[i] < 0)) {
+      const std::size_t vertex = (i % per_cell) / static_cast<std::size_t>(components(field));
+      throw Error(Status::bad_input, "field \"" + name + "\": found " + text::format_number(values[i]) + " at vertex " +
+                                         std::to_string(vertex) + " of cell " +
+                                         std::to_string(static_cast<std::size_t>(first_cell) + i / per_cell) +
+                                         "; allowed are finite " +
+                                         (field == Field::ambient_mass ? "numbers of at least 0" : "numbers"));
+    }
+  }
+}
+
 /// Three digits, whatever the locale.
 std::string three_digits(double value) {
   std::array<char, 32> digits;
@@ -96,16 +111,7 @@ void Batch::write(Field field, int first, int count, std::span<const double> val
   require_length(values.size(), size_of(field, model_->num_vertices(), count), "field \"" + name + "\"");
   if (field == Field::position) energies_are_current_ = false;
   const std::size_t per_cell = size_of(field, model_->num_vertices());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!std::isfinite(values[i]) || (field == Field::ambient_mass && values[i] < 0)) {
-      const std::size_t vertex = (i % per_cell) / static_cast<std::size_t>(components(field));
-      throw Error(Status::bad_input, "field \"" + name + "\": found " + text::format_number(values[i]) + " at vertex " +
-                                         std::to_string(vertex) + " of cell " +
-                                         std::to_string(static_cast<std::size_t>(first) + i / per_cell) +
-                                         "; allowed are finite " +
-                                         (field == Field::ambient_mass ? "numbers of at least 0" : "numbers"));
-    }
-  }
+  require_allowed(field, values, per_cell, first);
   for (int c = 0; c < count; ++c) {
     backend_->write(field, first + c, values.subspan(per_cell * static_cast<std::size_t>(c), per_cell));
     if (field == Field::velocity) forget_past(first + c);
@@ -204,6 +210,7 @@ int Batch::num_failed() const {
 
 int Batch::step(int steps) {
   if (steps < 0) throw Error(Status::bad_argument, std::to_string(steps) + " steps asked for; allowed: 0 or more");
+  require_valid(options_);
   require_steppable();
   stop_.store(false, std::memory_order_relaxed);
   energies_are_current_ = false;
@@ -218,6 +225,7 @@ int Batch::step_for_ms(double milliseconds, int& steps_done) {
   if (!(milliseconds >= 0)) {
     throw Error(Status::bad_argument, text::format_number(milliseconds) + " ms asked for; allowed: 0 or more");
   }
+  require_valid(options_);
   require_steppable();
   stop_.store(false, std::memory_order_relaxed);
   energies_are_current_ = false;
@@ -233,6 +241,7 @@ int Batch::step_for_ms(double milliseconds, int& steps_done) {
 }
 
 int Batch::relax() {
+  require_valid(options_);
   for (int c = 0; c < num_cells(); ++c) require_balanced(field_of(Field::external_force, c), c);
   stop_.store(false, std::memory_order_relaxed);
   energies_are_current_ = false;
@@ -321,11 +330,14 @@ void Batch::pack(int cell, std::span<double> values) const {
 void Batch::unpack(int cell, std::span<const double> values) {
   require_cells(cell, 1);
   require_length(values.size(), static_cast<std::size_t>(pack_length()), "a packed cell");
-  for (const double value : values) {
-    if (!std::isfinite(value)) throw Error(Status::bad_input, "a packed cell holds a number that is not finite");
+  std::size_t offset = 0;
+  for (const Field field : state_fields) {
+    const std::size_t size = size_of(field, model_->num_vertices());
+    require_allowed(field, values.subspan(offset, size), size, cell);
+    offset += size;
   }
   energies_are_current_ = false;
-  std::size_t offset = 0;
+  offset = 0;
   for (const Field field : state_fields) {
     const std::size_t size = size_of(field, model_->num_vertices());
     backend_->write(field, cell, values.subspan(offset, size));

@@ -36,6 +36,13 @@ void add_membrane(Model& model, const Material& material, const std::vector<Poin
     model.shear_modulus = shear;
     model.largest_modulus = 3 * shear;
   } else if (law == "lineage") {
+    if (const double weight = material.get("lineage_membrane_weight"); !(weight > 0)) {
+      throw Error(Status::bad_input, "material \"" + material.name() +
+                                         "\": membrane_law \"lineage\" needs a positive lineage_membrane_weight "
+                                         "(uN/m), found " +
+                                         text::format_number(weight) +
+                                         ": without it the matrix of the solver does not feel the membrane");
+    }
     const LineageSurfaceMaterial::Params<double> params{material.get("lineage_mu"), material.get("lineage_lambda"),
                                                         material.get("lineage_membrane_weight")};
     for (const Triangle& t : model.triangles) {

@@ -1,96 +1,10 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "model/hessian.h"
 
-#include <Eigen/Eigenvalues>
-#include <algorithm>
-
-#include "energies/dual.h"
+#include "model/hessian_assembler.h"
 
 namespace npfem {
 namespace {
-
-Vec3<double> vertex(std::span<const double> x, int i) {
-  const double* p = x.data() + 3 * static_cast<std::size_t>(i);
-  return {p[0], p[1], p[2]};
-}
-
-double& coordinate(Vec3<double>& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-Dual& coordinate(Vec3<Dual>& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
-/// `matrix` without its downward curvature: the nearest positive-semidefinite one.
-void project(Eigen::MatrixXd& matrix) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix);
-  if (!(eigen.eigenvalues()(0) < 0)) return;
-  const Eigen::VectorXd kept = eigen.eigenvalues().cwiseMax(0);
-  matrix = eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose();
-}
-
-/// Collects the 3k x 3k blocks of elements of k vertices.
-class Assembler {
- public:
-  Assembler(std::span<const double> x, Definite definite) : x_(x), definite_(definite) {}
-
-  /// Adds d(gradient)/dx of one element. `gradient(corners, slopes)` fills the k slopes from the k corners, on duals.
-  template <class Gradient>
-  void add(std::span<const int> vertices, Gradient&& gradient) {
-    const std::size_t k = vertices.size();
-    corners_.resize(k);
-    slopes_.resize(k);
-    for (std::size_t i = 0; i < k; ++i) {
-      const Vec3<double> at = vertex(x_, vertices[i]);
-      corners_[i] = {at.x, at.y, at.z};
-    }
-    block_.resize(static_cast<Eigen::Index>(3 * k), static_cast<Eigen::Index>(3 * k));
-    for (Eigen::Index column = 0; column < block_.cols(); ++column) {
-      Dual& moving = coordinate(corners_[static_cast<std::size_t>(column / 3)], static_cast<int>(column % 3));
-      moving.slope = 1;
-      gradient(corners_.data(), slopes_.data());
-      moving.slope = 0;
-      for (Eigen::Index row = 0; row < block_.rows(); ++row) {
-        block_(row, column) = coordinate(slopes_[static_cast<std::size_t>(row / 3)], static_cast<int>(row % 3)).slope;
-      }
-    }
-    block_ = 0.5 * (block_ + block_.transpose()).eval();
-    if (definite_ == Definite::projected) project(block_);
-    for (Eigen::Index row = 0; row < block_.rows(); ++row) {
-      for (Eigen::Index column = 0; column < block_.cols(); ++column) {
-        entries_.emplace_back(3 * vertices[static_cast<std::size_t>(row / 3)] + static_cast<int>(row % 3),
-                              3 * vertices[static_cast<std::size_t>(column / 3)] + static_cast<int>(column % 3),
-                              block_(row, column));
-      }
-    }
-  }
-
-  Eigen::SparseMatrix<double> matrix() const {
-    const auto n = static_cast<Eigen::Index>(x_.size());
-    Eigen::SparseMatrix<double> sum(n, n);
-    sum.setFromTriplets(entries_.begin(), entries_.end());
-    return sum;
-  }
-
- private:
-  std::span<const double> x_;
-  Definite definite_;
-  std::vector<Vec3<Dual>> corners_, slopes_;
-  Eigen::MatrixXd block_;
-  std::vector<Eigen::Triplet<double>> entries_;
-};
-
-template <class E>
-void add_elements(const ElementBlock<E>& block, Assembler& assembler) {
-  for (std::size_t e = 0; e < block.size(); ++e) {
-    assembler.add(block.vertices[e], [&](const Vec3<Dual>* corners, Vec3<Dual>* slopes) {
-      Vec3<Dual> x[E::num_vertices], gradient[E::num_vertices];
-      std::copy_n(corners, E::num_vertices, x);
-      E::energy_gradient(x, block.rest[e], block.params[e], gradient);
-      std::copy_n(gradient, E::num_vertices, slopes);
-    });
-  }
-}
 
 /// Area of a triangle, and its gradient.
 template <class T>
@@ -118,10 +32,10 @@ struct SurfaceShape {
 SurfaceShape surface_shape(const Model& model, std::span<const double> x) {
   const auto n = static_cast<Eigen::Index>(x.size());
   SurfaceShape shape{{0, 0, 0}, Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
-  const Vec3<double> origin = vertex(x, 0);
+  const Vec3<double> origin = vertex_at(x, 0);
   for (const Triangle& t : model.triangles) {
     Vec3<double> corner[3], area_slope[3], volume_slope[3];
-    for (std::size_t i = 0; i < 3; ++i) corner[i] = vertex(x, t[i]) - origin;
+    for (std::size_t i = 0; i < 3; ++i) corner[i] = vertex_at(x, t[i]) - origin;
     shape.sums.area += area_gradient(corner, area_slope);
     volume_gradient(corner, volume_slope);
     shape.sums.volume += dot(corner[0] + corner[1] + corner[2], volume_slope[0]) / 3;
@@ -146,7 +60,7 @@ void for_each_cell_term(const Model& model, F&& f) {
 }
 
 /// The terms that come from the curvature of area and volume themselves.
-void add_surface_curvature(const Model& model, const CellSums<double>& sums, Assembler& assembler) {
+void add_surface_curvature(const Model& model, const CellSums<double>& sums, HessianAssembler& assembler) {
   double tension = 0, pressure = 0;  // dE/dA, pN/um, and dE/dV, Pa
   for_each_cell_term(model, [&](const auto& params, auto tag) {
     const auto response = decltype(tag)::type::respond(sums, model.rest, params);
@@ -166,10 +80,10 @@ void add_surface_curvature(const Model& model, const CellSums<double>& sums, Ass
 }  // namespace
 
 Eigen::SparseMatrix<double> elastic_hessian(const Model& model, std::span<const double> x, Definite definite) {
-  Assembler assembler(x, definite);
+  HessianAssembler assembler(x, definite);
   for_each_energy(ElementEnergies{}, [&](auto tag) {
     using E = typename decltype(tag)::type;
-    add_elements(model.block<E>(), assembler);
+    assembler.add(model.block<E>());
   });
   if (model.has_cell_terms()) add_surface_curvature(model, surface_shape(model, x).sums, assembler);
   return assembler.matrix();

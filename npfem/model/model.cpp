@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "model/model.h"
 
+#include <cmath>
+
+#include "error.h"
 #include "mesh/geometry.h"
 #include "model/model_parts.h"
 
@@ -42,6 +45,12 @@ void add_rows(Entries& entries, const std::array<int, N>& vertices, const double
   }
 }
 
+[[noreturn]] void refuse_weight(const char* energy, std::size_t element) {
+  throw Error(Status::bad_input, "energy " + std::string(energy) + ", element " + std::to_string(element) +
+                                     ": its weight in the matrix of the solver is not finite: needed are a rest shape "
+                                     "of positive area and a finite modulus of at least 0");
+}
+
 Eigen::SparseMatrix<double> assembled(const Model& model, const Entries& entries) {
   Eigen::SparseMatrix<double> matrix(model.num_vertices(), model.num_vertices());
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -56,6 +65,11 @@ Eigen::SparseMatrix<double> assemble_weight(const Model& model) {
     for (std::size_t e = 0; e < block.size(); ++e) {
       double rows[2][E::num_vertices];
       const int num_rows = E::weight_rows(block.rest[e], block.params[e], rows);
+      for (int r = 0; r < num_rows; ++r) {
+        for (const double entry : rows[r]) {
+          if (!std::isfinite(entry * entry)) refuse_weight(E::name, e);
+        }
+      }
       add_rows(entries, block.vertices[e], rows, num_rows);
     }
   });

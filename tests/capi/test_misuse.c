@@ -78,7 +78,7 @@ static void misuse_parameters(const struct Objects* o) {
   FAILS(npfem_set_f64(o->batch, "time_stepp", 1), NPFEM_ERROR_NAME,
         "npfem_set_f64: no parameter \"time_stepp\"; did you mean "
         "\"time_step\"? allowed: time_step, integrator, tolerance, "
-        "residual_bound, max_iterations, relax_iterations, history, "
+        "residual_bound, max_iterations, relax_iterations, newton_iterations, history, "
         "max_line_search, lineage_alpha, lineage_beta, "
         "lineage_tolerance, lineage_window, lineage_attempts, lineage_armijo, "
         "lineage_curvature, method");
@@ -339,7 +339,7 @@ static void misuse_packed_cells(const struct Objects* o) {
   packed[0] = 1;
   packed[5] = HUGE_VAL;
   FAILS(npfem_batch_unpack(o->batch, 0, packed, 1452), NPFEM_ERROR_INPUT,
-        "npfem_batch_unpack: a packed cell holds a number that is not finite");
+        "npfem_batch_unpack: field \"position\": found inf at vertex 1 of cell 0; allowed are finite numbers");
   OK(npfem_batch_state_hash(o->batch, 0, 1, &after, 1));
   HOLDS(before == after);
 }

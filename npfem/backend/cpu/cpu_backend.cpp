@@ -6,6 +6,7 @@
 #include "backend/cpu/threads.h"
 #include "backend/reference/elasticity.h"
 #include "backend/reference/lineage_contacts.h"
+#include "backend/reference/relax.h"
 #include "backend/reference/time_step.h"
 
 namespace npfem::cpu {

@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include "energies/dual.h"
+#include "backend/reference/dissipation.h"
 #include "model/hessian.h"
 
 namespace npfem::cpu {
@@ -44,30 +44,10 @@ Sparse inertia_and_patches(std::span<const double> mass, double lead, std::span<
 
 /// Second derivative by the displacements of what viscosity costs in a step of unit length from the initial shape.
 Sparse viscous_hessian(const Model& model) {
-  const auto size = 3 * static_cast<Eigen::Index>(model.num_vertices());
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t t = 0; model.is_viscous() && t < model.triangles.size(); ++t) {
-    const Triangle& v = model.triangles[t];
-    Vec3<Dual> x[3], rest[3] = {};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Point& p = model.initial[static_cast<std::size_t>(v[i])];
-      x[i] = {p[0], p[1], p[2]};
-    }
-    const auto start = MembraneViscosity::start(x, rest, Dual(0.0));
-    for (int column = 0; column < 9; ++column) {
-      Vec3<Dual> move[3] = {}, slope[3];
-      (&move[column / 3].x)[column % 3].slope = 1;
-      MembraneViscosity::energy_gradient(move, start, model.viscosity, slope);
-      for (int row = 0; row < 9; ++row) {
-        entries.emplace_back(3 * v[static_cast<std::size_t>(row / 3)] + row % 3,
-                             3 * v[static_cast<std::size_t>(column / 3)] + column % 3,
-                             (&slope[row / 3].x)[row % 3].slope);
-      }
-    }
-  }
-  Sparse matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+  const auto n = static_cast<Eigen::Index>(model.num_vertices());
+  const VertexField start = Eigen::Map<const VertexField>(model.initial.front().data(), n, 3);
+  const VertexField still = VertexField::Zero(n, 3);
+  return Dissipation(model, start, still, 0, 1).hessian(still, Definite::projected);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "backend/reference/vertex_field.h"
+#include "model/hessian.h"
 #include "model/model.h"
 
 namespace npfem {
@@ -21,8 +22,15 @@ class Dissipation {
   /// D (pN um) of the displacements from the start; adds its gradient (pN).
   double operator()(const VertexField& displacement, VertexField& gradient) const;
 
+  /// Its second derivative by the displacements, 3n x 3n, pN/um.
+  Eigen::SparseMatrix<double> hessian(const VertexField& displacement, Definite definite) const;
+
+  /// Of its weight in the quasi-Newton matrix, pN/um.
+  double stiffest_diagonal() const { return per_lead_ * model_.viscous_weight.diagonal().maxCoeff(); }
+
  private:
   const Model& model_;
+  double per_lead_ = 0;                                      // 1/h, 1/us
   MembraneViscosity::Params<double> per_time_{0, 0};         // eta/h, uN/m
   std::vector<MembraneViscosity::Start<double>> triangles_;  // empty: no viscosity
 };

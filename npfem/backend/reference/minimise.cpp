@@ -1,59 +1,22 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "backend/reference/minimise.h"
 
-#include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include "backend/reference/lbfgs.h"
+#include "backend/reference/line_search.h"
 
 namespace npfem {
-namespace {
-
-constexpr double sufficient_decrease = 1e-4;  // Armijo constant
-constexpr double rounding = 64 * 2.2e-16;     // of the objective, relative to the magnitudes of its parts
-
-/// A point of the search with everything known about it.
-struct Trial {
-  VertexField displacement, gradient;
-  double value = 0, scale = 0;
-
-  void evaluate(const StepObjective& objective) { value = objective(displacement, gradient, scale); }
-  bool finite() const { return std::isfinite(value) && gradient.allFinite(); }
-  double residual() const { return gradient.cwiseAbs().maxCoeff(); }
-};
-
-enum class Search { accepted, failed };
-
-/// Backtracking along `direction` from `from`. Where the change of the objective drowns in its rounding, the slope
-/// decides instead (Hager & Zhang 2005, approximate Wolfe condition): it must have become flatter.
-Search line_search(const StepObjective& objective, const Trial& from, const VertexField& direction, int max_trials,
-                   Trial& to) {
-  const double slope = inner(from.gradient, direction);
-  double step = 1;
-  for (int trial = 0; trial < max_trials; ++trial) {
-    to.displacement = from.displacement + step * direction;
-    to.evaluate(objective);
-    double shorter = 0.1 * step;
-    if (to.finite()) {
-      const double change = to.value - from.value;
-      if (change <= sufficient_decrease * step * slope) return Search::accepted;
-      const double noise = rounding * std::max(from.scale, to.scale);
-      if (std::abs(change) <= noise && std::abs(inner(to.gradient, direction)) <= 0.9 * std::abs(slope)) {
-        return Search::accepted;
-      }
-      // Minimum of the parabola through value, slope and the new value.
-      shorter = std::clamp(-0.5 * slope * step * step / (change - step * slope), 0.1 * step, 0.5 * step);
-    }
-    step = shorter;
-  }
-  return Search::failed;
+double attainable_residual(const StepObjective& objective) {
+  constexpr double ulps = 32 * std::numeric_limits<double>::epsilon();
+  const double stiffest_motion = objective.inertia.maxCoeff() + objective.dissipation.stiffest_diagonal();
+  return ulps * (stiffest_motion * objective.drift.cwiseAbs().maxCoeff() +
+                 objective.model.weight.diagonal().maxCoeff() * objective.start.cwiseAbs().maxCoeff());
 }
 
-CellStatus verdict(double residual, const SolverOptions& options, CellStatus otherwise) {
-  return residual <= options.residual_bound ? CellStatus::iteration_cap : otherwise;
+CellStatus ended_short(double residual, const SolverOptions& options, CellStatus failure) {
+  return residual <= options.residual_bound ? CellStatus::iteration_cap : failure;
 }
-
-}  // namespace
 
 CellReport minimise(const StepObjective& objective, const StepFactor& factor, const SolverOptions& options,
                     const MinimiseLimits& limits, VertexField& displacement, VertexField& gradient) {
@@ -71,7 +34,7 @@ CellReport minimise(const StepObjective& objective, const StepFactor& factor, co
   report.status = CellStatus::converged;
   while ((report.residual = here.residual()) > limits.tolerance) {
     if (report.iterations == limits.iterations) {
-      report.status = verdict(report.residual, options, CellStatus::not_converged);
+      report.status = ended_short(report.residual, options, CellStatus::not_converged);
       break;
     }
     ++report.iterations;
@@ -80,13 +43,14 @@ CellReport minimise(const StepObjective& objective, const StepFactor& factor, co
       memory.clear();
       direction = memory.direction(here.gradient, factor);
     }
-    ++report.evaluations;
-    if (line_search(objective, here, direction, options.max_line_search, next) == Search::failed) {
+    const LineSearch search = line_search(objective, here, direction, options.max_line_search, next);
+    report.evaluations += search.evaluations;
+    if (search.step == 0) {
       if (!memory.empty()) {
         memory.clear();
         continue;
       }
-      report.status = verdict(report.residual, options, CellStatus::no_descent);
+      report.status = ended_short(report.residual, options, CellStatus::no_descent);
       break;
     }
     const VertexField s = next.displacement - here.displacement, y = next.gradient - here.gradient;

@@ -18,4 +18,11 @@ struct MinimiseLimits {
 CellReport minimise(const StepObjective& objective, const StepFactor& factor, const SolverOptions& options,
                     const MinimiseLimits& limits, VertexField& displacement, VertexField& gradient);
 
+/// The smallest residual that rounding lets the minimum of this objective reach: a few ulps of the largest forces in
+/// it, pN.
+double attainable_residual(const StepObjective& objective);
+
+/// A minimisation that ended above its tolerance: usable where the residual force is within the bound, else `failure`.
+CellStatus ended_short(double residual, const SolverOptions& options, CellStatus failure);
+
 }  // namespace npfem

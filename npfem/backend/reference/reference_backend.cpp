@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "backend/reference/elasticity.h"
+#include "backend/reference/relax.h"
 #include "backend/reference/time_step.h"
 
 namespace npfem {

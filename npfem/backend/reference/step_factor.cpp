@@ -28,7 +28,8 @@ StepFactor::StepFactor(const Model& model, const Eigen::VectorXd& diagonal, Scal
     throw Error(
         Status::bad_input,
         "the matrix M/dt^2 + W is not positive definite: every vertex needs a mass (solid_mass + ambient_mass > "
-        "0) and the material positive moduli");
+        "0), the time_step must not be so long that M/dt^2 is lost in the rounding of W, and the material needs a "
+        "membrane or bending law of positive modulus");
   }
 }
 

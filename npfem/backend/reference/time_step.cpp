@@ -2,23 +2,11 @@
 #include "backend/reference/time_step.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "backend/newton.h"
 #include "backend/reference/minimise.h"
 
 namespace npfem {
-namespace {
-
-/// The smallest residual that rounding lets a step of this cell reach: a few ulps of the largest forces in it.
-double attainable_residual(const Model& model, const VertexField& position, double stiffest_motion,
-                           const VertexField& drift) {
-  constexpr double ulps = 32 * std::numeric_limits<double>::epsilon();
-  return ulps * (stiffest_motion * drift.cwiseAbs().maxCoeff() +
-                 model.weight.diagonal().maxCoeff() * position.cwiseAbs().maxCoeff());
-}
-
-}  // namespace
-
 Differencing euler_differencing(const SolverOptions& options) {
   return {options.time_step, 0};
 }
@@ -50,9 +38,10 @@ void time_step(const Model& model, const StepFactor& factor, std::span<const Pat
   const StepObjective objective{model, cell.position, inertia, drift, force, dissipation, patches, cell.tied_at};
 
   VertexField displacement = drift, gradient(n, 3);
-  const double stiffest = inertia.maxCoeff() + model.viscous_weight.diagonal().maxCoeff() / h;
-  const double tolerance = std::max(options.tolerance, attainable_residual(model, cell.position, stiffest, drift));
+  const double tolerance = std::max(options.tolerance, attainable_residual(objective));
   cell.report = minimise(objective, factor, options, {options.max_iterations, tolerance}, displacement, gradient);
+  // A cell within residual_bound may go on as it is; one that would fail is worth Newton's price.
+  if (has_failed(cell.report.status)) finish_by_newton(objective, options, displacement, gradient, cell.report);
   if (has_failed(cell.report.status)) return;
 
   // What residual force is left over has a mean, and the mean would be lost momentum. A rigid translation takes it out
@@ -69,22 +58,6 @@ void time_step(const Model& model, const StepFactor& factor, std::span<const Pat
   cell.position += displacement;
   cell.velocity = velocity;
   cell.held_force += cell.ambient_mass.asDiagonal() * (cell.velocity - cell.ambient_velocity) / dt;
-}
-
-void relax_cell(const Model& model, const StepFactor& factor, std::span<const Patch> patches,
-                const SolverOptions& options, CellState& cell) {
-  const auto n = static_cast<Eigen::Index>(model.num_vertices());
-  const Eigen::VectorXd inertia = Eigen::VectorXd::Zero(n);
-  const VertexField drift = VertexField::Zero(n, 3);
-  const Dissipation none(model);
-  const StepObjective objective{model, cell.position, inertia, drift, cell.external_force, none, patches, cell.tied_at};
-  VertexField displacement = drift, gradient(n, 3);
-  const double tolerance = std::max(options.tolerance, attainable_residual(model, cell.position, 0, drift));
-  cell.report = minimise(objective, factor, options, {options.relax_iterations, tolerance}, displacement, gradient);
-  if (has_failed(cell.report.status)) return;
-  cell.position += displacement;
-  cell.velocity.setZero();
-  cell.forget_past();
 }
 
 }  // namespace npfem

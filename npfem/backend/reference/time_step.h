@@ -40,8 +40,4 @@ Differencing differencing(const SolverOptions& options, const CellState& cell);
 void time_step(const Model& model, const StepFactor& factor, std::span<const Patch> patches,
                const SolverOptions& options, CellState& cell);
 
-/// Static equilibrium under the external forces; velocities become zero. `factor` is that of the bare weights.
-void relax_cell(const Model& model, const StepFactor& factor, std::span<const Patch> patches,
-                const SolverOptions& options, CellState& cell);
-
 }  // namespace npfem

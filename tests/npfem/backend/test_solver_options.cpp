@@ -72,6 +72,7 @@ TEST(SolverOptions, EachChangesTheResult) {
                                               {"max_iterations", 2},
                                               {"relax_iterations", 3},
                                               {"history", 1},
+                                              {"newton_iterations", 1},
                                               {"max_line_search", 1},
                                               {"lineage_alpha", 0.5},
                                               {"lineage_beta", 0.1},
@@ -90,7 +91,8 @@ TEST(SolverOptions, EachChangesTheResult) {
     SolverOptions options;
     options.lineage = std::string(info.key).starts_with("lineage");
     options.time_step = 20;
-    if (std::string(info.key) == "residual_bound") options.max_iterations = 2;
+    if (std::string(info.key) == "residual_bound") options.max_iterations = 2, options.newton_iterations = 0;
+    if (std::string(info.key) == "newton_iterations") options.max_iterations = 2;
     if (std::string(info.key) == "lineage_attempts") options.lineage_armijo = 1;  // no search can succeed
     const std::uint64_t before = outcome(options, backend);
     ASSERT_TRUE(changed.contains(info.key)) << info.key;

@@ -54,6 +54,80 @@ TEST(Batch, RefusesNumbersThatAreNotFiniteAndChangesNothing) {
   EXPECT_EQ(batch.state_hash(1), hash);
 }
 
+TEST(Batch, RefusesOptionsOutOfRangeBeforeAnyStep) {
+  Batch batch(testing::red_cell_model(2, 1), "reference", 1);
+  const auto hash = batch.state_hash(0);
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for (const double dt : {0.0, -0.25, nan, infinity, 1e-10, 1e13}) {
+    batch.options().time_step = dt;
+    int steps = 0;
+    EXPECT_THROW(batch.step_for_ms(1, steps), Error);
+    EXPECT_THROW(batch.relax(), Error);
+    try {
+      batch.step(1);
+      FAIL() << dt;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.status(), Status::bad_input);
+      EXPECT_NE(std::string(e.what()).find("\"time_step\""), std::string::npos) << e.what();
+      EXPECT_NE(std::string(e.what()).find("allowed are numbers from"), std::string::npos) << e.what();
+    }
+  }
+  EXPECT_EQ(batch.state_hash(0), hash);
+}
+
+TEST(Batch, StepsAtBothEndsOfTheAllowedTimeStepsOrSaysWhyNot) {
+  for (const double dt : {1e-9, 1e12}) {
+    Batch batch(testing::red_cell_model(2, 1), "reference", 1);
+    batch.relax();
+    batch.options().time_step = dt;
+    try {
+      EXPECT_EQ(batch.step(1), 0);
+      EXPECT_NEAR(batch.measure("volume", 0), batch.model().rest.volume, 1e-3 * batch.model().rest.volume);
+    } catch (const Error& e) {
+      EXPECT_NE(std::string(e.what()).find("time_step"), std::string::npos) << e.what();
+    }
+  }
+}
+
+TEST(Batch, RefusesMassesThatPhysicsDoesNotAllow) {
+  Batch batch(testing::red_cell_model(2, 1), "reference", 1);
+  const auto hash = batch.state_hash(0);
+  std::vector<double> packed(static_cast<std::size_t>(batch.pack_length()));
+  batch.pack(0, packed);
+  const auto vertices = static_cast<std::size_t>(batch.model().num_vertices());
+  for (const double bad : {-1e-3, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    std::vector<double> mass(vertices, 1.0);
+    mass[4] = bad;
+    auto damaged = packed;
+    damaged[12 * vertices + 4] = bad;  // position, velocity, external force and ambient velocity come before it
+    for (const bool whole_cell : {false, true}) {
+      try {
+        whole_cell ? batch.unpack(0, damaged) : batch.write(Field::ambient_mass, 0, 1, mass);
+        FAIL() << bad;
+      } catch (const Error& e) {
+        EXPECT_EQ(e.status(), Status::bad_input);
+        EXPECT_NE(std::string(e.what()).find("field \"ambient_mass\""), std::string::npos) << e.what();
+        EXPECT_NE(std::string(e.what()).find("vertex 4 of cell 0"), std::string::npos) << e.what();
+        EXPECT_NE(std::string(e.what()).find("at least 0"), std::string::npos) << e.what();
+      }
+    }
+  }
+  EXPECT_EQ(batch.state_hash(0), hash);
+}
+
+TEST(Batch, RelaxNeedsAMaterialThatHoldsTheShape) {
+  Material material;
+  material.set("global_volume_modulus", 1000);
+  Batch batch(std::make_shared<const Model>(build_model(icosahedral_sphere(1), material)), "reference", 1);
+  try {
+    batch.relax();
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.status(), Status::bad_input);
+    EXPECT_NE(std::string(e.what()).find("membrane or bending law of positive modulus"), std::string::npos) << e.what();
+  }
+}
+
 TEST(Batch, ChecksRangesAndLengths) {
   Batch batch(testing::red_cell_model(), "reference", 2);
   std::vector<double> values(10);

@@ -10,6 +10,7 @@
 #include "cells.h"
 #include "error.h"
 #include "mesh/geometry.h"
+#include "model/model_parts.h"
 
 namespace npfem {
 namespace {
@@ -85,6 +86,34 @@ TEST(BuildModel, RefusesALawWithoutModulus) {
   Material material;
   material.set_text("membrane_law", "skalak");
   EXPECT_THROW(build_model(octahedral_sphere(1), material), Error);
+}
+
+/// The text of the error with which `build` ends.
+template <class F>
+std::string refusal(F&& build) {
+  try {
+    build();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.status(), Status::bad_input);
+    return e.what();
+  }
+  return "";
+}
+
+TEST(BuildModel, RefusesAWeightMatrixThatDoesNotFeelTheMembrane) {
+  Material material = Material::preset("palabos-rbc");
+  material.set("lineage_membrane_weight", 0);
+  const std::string text = refusal([&] { build_model(evans_fung_cell(2), material); });
+  EXPECT_NE(text.find("positive lineage_membrane_weight"), std::string::npos) << text;
+}
+
+TEST(BuildModel, RefusesAWeightThatIsNotFinite) {
+  Model model;
+  model.initial = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  model.triangles = {{0, 1, 2}};
+  add_element<Membrane<Skalak>>(model, {0, 1, 2}, model.initial, {1, 1});  // on a line: no area, no metric
+  const std::string text = refusal([&] { complete_model(model); });
+  EXPECT_NE(text.find("energy skalak, element 0"), std::string::npos) << text;
 }
 
 }  // namespace
