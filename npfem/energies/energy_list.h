@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include "energies/curvature_bending.h"
 #include "energies/dihedral_bending.h"
 #include "energies/global.h"
 #include "energies/lineage_area.h"
 #include "energies/lineage_bending.h"
 #include "energies/lineage_surface_material.h"
+#include "energies/local_area.h"
 #include "energies/neo_hookean.h"
 #include "energies/skalak.h"
+#include "energies/wlc.h"
+#include "energies/yeoh.h"
 
 namespace npfem {
 
@@ -27,8 +31,29 @@ void for_each_energy(TypeList<Types...>, F&& f) {
 
 // The energies of the library. A new one is a header and one word here.
 
-using ElementEnergies = TypeList<Membrane<Skalak>, Membrane<NeoHookean>, Membrane<LineageSurfaceMaterial>,
-                                 Membrane<LineageArea>, LineageBending, DihedralBending>;
+/// Of a fixed number of vertices.
+using ElementEnergies =
+    TypeList<Membrane<Skalak>, Membrane<NeoHookean>, Membrane<Yeoh>, Membrane<LineageSurfaceMaterial>,
+             Membrane<LineageArea>, Membrane<LocalArea>, WormLikeChain, LineageBending, DihedralBending>;
+
+/// Of any number of vertices up to `max_vertices`, like the ring around a vertex.
+using GroupEnergies = TypeList<CurvatureBending<EdgeCurvature>, CurvatureBending<CotangentCurvature>>;
+
+/// Of the whole cell.
 using CellEnergies = TypeList<GlobalArea, GlobalVolume, LineageVolume>;
+
+/// An element energy feels no translation unless it says so: `static constexpr bool translation_invariant = false`.
+template <class E>
+inline constexpr bool is_translation_invariant_energy = [] {
+  if constexpr (requires { E::translation_invariant; }) {
+    return E::translation_invariant;
+  } else {
+    return true;
+  }
+}();
+
+/// Most rows that weight_rows of an element energy writes.
+template <class E>
+inline constexpr int max_weight_rows = E::num_vertices > 1 ? E::num_vertices - 1 : 1;
 
 }  // namespace npfem

@@ -30,6 +30,16 @@ NPFEM_HD T larger(const T& a, const T& b) {
 }
 
 template <class T>
+NPFEM_HD T smaller(const T& a, const T& b) {
+  return select(b < a, b, a);
+}
+
+template <class T>
+NPFEM_HD T absolute(const T& a) {
+  return select(a < T(0), -a, a);
+}
+
+template <class T>
 NPFEM_HD T clamp(const T& a, const T& least, const T& largest) {
   return select(a < least, least, select(largest < a, largest, a));
 }

@@ -15,11 +15,24 @@ bool Model::has_cell_terms() const {
   return any;
 }
 
+bool Model::is_translation_invariant() const {
+  bool invariant = true;
+  for_each_energy(ElementEnergies{}, [&](auto tag) {
+    using E = typename decltype(tag)::type;
+    if (block<E>().size() > 0) invariant = invariant && is_translation_invariant_energy<E>;
+  });
+  return invariant;
+}
+
 std::vector<std::string> Model::energy_names() const {
   std::vector<std::string> names;
   for_each_energy(ElementEnergies{}, [&](auto tag) {
     using E = typename decltype(tag)::type;
     if (block<E>().size() > 0) names.emplace_back(E::name);
+  });
+  for_each_energy(GroupEnergies{}, [&](auto tag) {
+    using G = typename decltype(tag)::type;
+    if (group_block<G>().size() > 0) names.emplace_back(G::name);
   });
   for_each_energy(CellEnergies{}, [&](auto tag) {
     using E = typename decltype(tag)::type;
@@ -30,24 +43,40 @@ std::vector<std::string> Model::energy_names() const {
 
 namespace {
 
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+/// Adds row row^T, the row being given over some vertices.
+void add_square(std::span<const double> row, std::span<const int> vertices, Entries& entries) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    for (std::size_t j = 0; j < vertices.size(); ++j) entries.emplace_back(vertices[i], vertices[j], row[i] * row[j]);
+  }
+}
+
+template <class E>
+void add_element_weights(const ElementBlock<E>& block, Entries& entries) {
+  for (std::size_t e = 0; e < block.size(); ++e) {
+    double rows[max_weight_rows<E>][E::num_vertices];
+    const int num_rows = E::weight_rows(block.rest[e], block.params[e], rows);
+    for (int r = 0; r < num_rows; ++r) add_square(rows[r], block.vertices[e], entries);
+  }
+}
+
+template <class G>
+void add_group_weights(const GroupBlock<G>& block, Entries& entries) {
+  for (std::size_t g = 0; g < block.size(); ++g) {
+    const std::span<const int> group = block.group(g);
+    double rows[G::max_vertices][G::max_vertices];
+    const int num_rows = G::weight_rows(block.rest[g], block.params[g], static_cast<int>(group.size()), rows);
+    for (int r = 0; r < num_rows; ++r) add_square({rows[r], group.size()}, group, entries);
+  }
+}
+
 Eigen::SparseMatrix<double> assemble_weight(const Model& model) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for_each_energy(ElementEnergies{}, [&](auto tag) {
-    using E = typename decltype(tag)::type;
-    const auto& block = model.block<E>();
-    for (std::size_t e = 0; e < block.size(); ++e) {
-      double rows[2][E::num_vertices];
-      const int num_rows = E::weight_rows(block.rest[e], block.params[e], rows);
-      for (int r = 0; r < num_rows; ++r) {
-        for (int i = 0; i < E::num_vertices; ++i) {
-          for (int j = 0; j < E::num_vertices; ++j) {
-            entries.emplace_back(block.vertices[e][static_cast<std::size_t>(i)],
-                                 block.vertices[e][static_cast<std::size_t>(j)], rows[r][i] * rows[r][j]);
-          }
-        }
-      }
-    }
-  });
+  Entries entries;
+  for_each_energy(ElementEnergies{},
+                  [&](auto tag) { add_element_weights(model.block<typename decltype(tag)::type>(), entries); });
+  for_each_energy(GroupEnergies{},
+                  [&](auto tag) { add_group_weights(model.group_block<typename decltype(tag)::type>(), entries); });
   Eigen::SparseMatrix<double> weight(model.num_vertices(), model.num_vertices());
   weight.setFromTriplets(entries.begin(), entries.end());
   return weight;

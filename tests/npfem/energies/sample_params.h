@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <cmath>
+
 #include "energies/energy_list.h"
+#include "random_shape.h"
 
 namespace npfem::testing {
 
@@ -18,6 +21,10 @@ inline NeoHookean::Params<double> sample_params<Membrane<NeoHookean>>() {
   return {4.0};
 }
 template <>
+inline Yeoh::Params<double> sample_params<Membrane<Yeoh>>() {
+  return {3.7, 0.4};
+}
+template <>
 inline LineageSurfaceMaterial::Params<double> sample_params<Membrane<LineageSurfaceMaterial>>() {
   return {35, 5, 27.5};
 }
@@ -26,12 +33,28 @@ inline LineageArea::Params<double> sample_params<Membrane<LineageArea>>() {
   return {5000, 1, 1};
 }
 template <>
+inline LocalArea::Params<double> sample_params<Membrane<LocalArea>>() {
+  return {200};
+}
+template <>
+inline WormLikeChain::Params<double> sample_params<WormLikeChain>() {
+  return {6.3, 1 / 2.2};
+}
+template <>
 inline LineageBending::Params<double> sample_params<LineageBending>() {
   return {1, 1, 1};
 }
 template <>
 inline DihedralBending::Params<double> sample_params<DihedralBending>() {
   return {0.3, 0};
+}
+template <>
+inline CurvatureBending<EdgeCurvature>::Params<double> sample_params<CurvatureBending<EdgeCurvature>>() {
+  return {0.3, 0, 0};
+}
+template <>
+inline CurvatureBending<CotangentCurvature>::Params<double> sample_params<CurvatureBending<CotangentCurvature>>() {
+  return {0.3, 0, 0};
 }
 template <>
 inline GlobalArea::Params<double> sample_params<GlobalArea>() {
@@ -52,5 +75,35 @@ constexpr double sample_displacement = 0.08;
 /// The four Newton steps of the lineage's projection are exact to round-off up to strains of a few per cent only.
 template <>
 inline constexpr double sample_displacement<Membrane<LineageArea>> = 0.02;
+
+template <class E>
+constexpr bool is_group = requires {
+  E::max_vertices;
+};
+
+/// Number of vertices of the elements and groups that the contract is tested on.
+template <class E>
+constexpr int sample_count = [] {
+  if constexpr (is_group<E>) {
+    return 7;
+  } else {
+    return E::num_vertices;
+  }
+}();
+
+/// A shape that the energy is made for, of edges about 1 um, each vertex moved at random by up to `noise`: a vertex
+/// with its ring for groups, otherwise an edge, a triangle or a hinge.
+template <class E>
+void sample_shape(Random& random, double noise, Vec3<double> (&x)[sample_count<E>]) {
+  if constexpr (is_group<E>) {
+    x[0] = Vec3<double>{0, 0, 0.25} + random.vector(noise);
+    for (int i = 1; i < sample_count<E>; ++i) {
+      const double angle = 2 * 3.141592653589793 * (i - 1) / (sample_count<E> - 1);
+      x[i] = Vec3<double>{std::cos(angle), std::sin(angle), 0} + random.vector(noise);
+    }
+  } else {
+    random_element(random, noise, x);
+  }
+}
 
 }  // namespace npfem::testing
