@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include "energies/closeness.h"
 #include "energies/curvature_bending.h"
 #include "energies/dihedral_bending.h"
+#include "energies/edge_strain.h"
 #include "energies/global.h"
 #include "energies/lineage_area.h"
 #include "energies/lineage_bending.h"
 #include "energies/lineage_surface_material.h"
 #include "energies/local_area.h"
 #include "energies/neo_hookean.h"
+#include "energies/neo_hookean_solid.h"
 #include "energies/skalak.h"
+#include "energies/tetrahedron_arap.h"
+#include "energies/tetrahedron_strain.h"
+#include "energies/tetrahedron_volume.h"
+#include "energies/triangle_arap.h"
+#include "energies/triangle_strain.h"
 #include "energies/wlc.h"
 #include "energies/yeoh.h"
 
@@ -34,7 +42,9 @@ void for_each_energy(TypeList<Types...>, F&& f) {
 /// Of a fixed number of vertices.
 using ElementEnergies =
     TypeList<Membrane<Skalak>, Membrane<NeoHookean>, Membrane<Yeoh>, Membrane<LineageSurfaceMaterial>,
-             Membrane<LineageArea>, Membrane<LocalArea>, WormLikeChain, LineageBending, DihedralBending>;
+             Membrane<LineageArea>, Membrane<LocalArea>, Membrane<TriangleStrain>, Membrane<TriangleArap>,
+             WormLikeChain, EdgeStrain, LineageBending, DihedralBending, Tetrahedron<NeoHookeanSolid>,
+             Tetrahedron<TetrahedronStrain>, Tetrahedron<TetrahedronArap>, Tetrahedron<TetrahedronVolume>, Closeness>;
 
 /// Of any number of vertices up to `max_vertices`, like the ring around a vertex.
 using GroupEnergies = TypeList<CurvatureBending<EdgeCurvature>, CurvatureBending<CotangentCurvature>>;

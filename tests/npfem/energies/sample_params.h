@@ -41,6 +41,38 @@ inline WormLikeChain::Params<double> sample_params<WormLikeChain>() {
   return {6.3, 1 / 2.2};
 }
 template <>
+inline TriangleStrain::Params<double> sample_params<Membrane<TriangleStrain>>() {
+  return {50, 0.98, 1.03};
+}
+template <>
+inline TriangleArap::Params<double> sample_params<Membrane<TriangleArap>>() {
+  return {20};
+}
+template <>
+inline EdgeStrain::Params<double> sample_params<EdgeStrain>() {
+  return {50, 0.995, 1.005};
+}
+template <>
+inline NeoHookeanSolid::Params<double> sample_params<Tetrahedron<NeoHookeanSolid>>() {
+  return {100, 400};
+}
+template <>
+inline TetrahedronStrain::Params<double> sample_params<Tetrahedron<TetrahedronStrain>>() {
+  return {50, 0.98, 1.03};
+}
+template <>
+inline TetrahedronArap::Params<double> sample_params<Tetrahedron<TetrahedronArap>>() {
+  return {20};
+}
+template <>
+inline TetrahedronVolume::Params<double> sample_params<Tetrahedron<TetrahedronVolume>>() {
+  return {500, 1, 1};
+}
+template <>
+inline Closeness::Params<double> sample_params<Closeness>() {
+  return {7};
+}
+template <>
 inline LineageBending::Params<double> sample_params<LineageBending>() {
   return {1, 1, 1};
 }
@@ -72,9 +104,11 @@ inline LineageVolume::Params<double> sample_params<LineageVolume>() {
 /// How far (um, on elements of about 1 um) vertices are moved where a gradient is compared with finite differences.
 template <class E>
 constexpr double sample_displacement = 0.08;
-/// The four Newton steps of the lineage's projection are exact to round-off up to strains of a few per cent only.
+/// The four Newton steps of the lineage's projections are exact to round-off up to strains of a few per cent only.
 template <>
 inline constexpr double sample_displacement<Membrane<LineageArea>> = 0.02;
+template <>
+inline constexpr double sample_displacement<Tetrahedron<TetrahedronVolume>> = 0.01;
 
 template <class E>
 constexpr bool is_group = requires {
@@ -91,8 +125,13 @@ constexpr int sample_count = [] {
   }
 }();
 
+template <class E>
+constexpr bool is_tetrahedron = false;
+template <class Law>
+constexpr bool is_tetrahedron<Tetrahedron<Law>> = true;
+
 /// A shape that the energy is made for, of edges about 1 um, each vertex moved at random by up to `noise`: a vertex
-/// with its ring for groups, otherwise an edge, a triangle or a hinge.
+/// with its ring for groups, otherwise a vertex, an edge, a triangle, a hinge or a tetrahedron.
 template <class E>
 void sample_shape(Random& random, double noise, Vec3<double> (&x)[sample_count<E>]) {
   if constexpr (is_group<E>) {
@@ -103,6 +142,7 @@ void sample_shape(Random& random, double noise, Vec3<double> (&x)[sample_count<E
     }
   } else {
     random_element(random, noise, x);
+    if constexpr (is_tetrahedron<E>) x[3] = Vec3<double>{0.5, 0.3, 0.9} + random.vector(noise);
   }
 }
 
