@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include "energies/angle.h"
 #include "energies/closeness.h"
 #include "energies/curvature_bending.h"
 #include "energies/dihedral_bending.h"
 #include "energies/edge_strain.h"
 #include "energies/global.h"
+#include "energies/laplacian.h"
 #include "energies/lineage_area.h"
 #include "energies/lineage_bending.h"
 #include "energies/lineage_surface_material.h"
 #include "energies/local_area.h"
 #include "energies/neo_hookean.h"
 #include "energies/neo_hookean_solid.h"
+#include "energies/parallelogram.h"
+#include "energies/plane_and_line.h"
+#include "energies/similarity.h"
 #include "energies/skalak.h"
+#include "energies/sphere_and_circle.h"
 #include "energies/tetrahedron_arap.h"
 #include "energies/tetrahedron_strain.h"
 #include "energies/tetrahedron_volume.h"
@@ -44,10 +50,13 @@ using ElementEnergies =
     TypeList<Membrane<Skalak>, Membrane<NeoHookean>, Membrane<Yeoh>, Membrane<LineageSurfaceMaterial>,
              Membrane<LineageArea>, Membrane<LocalArea>, Membrane<TriangleStrain>, Membrane<TriangleArap>,
              WormLikeChain, EdgeStrain, LineageBending, DihedralBending, Tetrahedron<NeoHookeanSolid>,
-             Tetrahedron<TetrahedronStrain>, Tetrahedron<TetrahedronArap>, Tetrahedron<TetrahedronVolume>, Closeness>;
+             Tetrahedron<TetrahedronStrain>, Tetrahedron<TetrahedronArap>, Tetrahedron<TetrahedronVolume>,
+             ParallelogramShape, RectangleShape, AngleRange, Closeness>;
 
 /// Of any number of vertices up to `max_vertices`, like the ring around a vertex.
-using GroupEnergies = TypeList<CurvatureBending<EdgeCurvature>, CurvatureBending<CotangentCurvature>>;
+using GroupEnergies = TypeList<CurvatureBending<EdgeCurvature>, CurvatureBending<CotangentCurvature>,
+                               FittedShape<PlaneShape>, FittedShape<LineShape>, FittedShape<CircleShape>,
+                               FittedShape<SphereShape>, FittedShape<SimilarityShape>, Laplacian>;
 
 /// Of the whole cell.
 using CellEnergies = TypeList<GlobalArea, GlobalVolume, LineageVolume>;

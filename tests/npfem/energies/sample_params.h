@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "energies/energy_list.h"
 #include "random_shape.h"
@@ -89,6 +90,42 @@ inline CurvatureBending<CotangentCurvature>::Params<double> sample_params<Curvat
   return {0.3, 0, 0};
 }
 template <>
+inline ParallelogramShape::Params<double> sample_params<ParallelogramShape>() {
+  return {30};
+}
+template <>
+inline RectangleShape::Params<double> sample_params<RectangleShape>() {
+  return {30};
+}
+template <>
+inline AngleRange::Params<double> sample_params<AngleRange>() {
+  return {30, 0.1, 0.099};
+}
+template <>
+inline ShapeParams<double> sample_params<FittedShape<PlaneShape>>() {
+  return {30};
+}
+template <>
+inline ShapeParams<double> sample_params<FittedShape<LineShape>>() {
+  return {30};
+}
+template <>
+inline ShapeParams<double> sample_params<FittedShape<CircleShape>>() {
+  return {30};
+}
+template <>
+inline ShapeParams<double> sample_params<FittedShape<SphereShape>>() {
+  return {30};
+}
+template <>
+inline SimilarityShape::Params<double> sample_params<FittedShape<SimilarityShape>>() {
+  return {30, 0.5, 2};
+}
+template <>
+inline Laplacian::Params<double> sample_params<Laplacian>() {
+  return {30, 0};
+}
+template <>
 inline GlobalArea::Params<double> sample_params<GlobalArea>() {
   return {2500};
 }
@@ -125,19 +162,37 @@ constexpr int sample_count = [] {
   }
 }();
 
+/// Energies that are at rest where the points lie on a shape of a kind, and not in the shape that they had.
+template <class E>
+constexpr bool fits_a_shape = false;
+template <class Law>
+constexpr bool fits_a_shape<FittedShape<Law>> = true;
+template <>
+inline constexpr bool fits_a_shape<FittedShape<SimilarityShape>> = false;
+template <bool rectangular>
+constexpr bool fits_a_shape<QuadrilateralShape<rectangular>> = true;
+template <>
+inline constexpr bool fits_a_shape<AngleRange> = true;
+
 template <class E>
 constexpr bool is_tetrahedron = false;
 template <class Law>
 constexpr bool is_tetrahedron<Tetrahedron<Law>> = true;
 
 /// A shape that the energy is made for, of edges about 1 um, each vertex moved at random by up to `noise`: a vertex
-/// with its ring for groups, otherwise a vertex, an edge, a triangle, a hinge or a tetrahedron.
+/// with its ring, points about a circle or a sphere, otherwise a vertex, an edge, a triangle, a hinge or a tetrahedron.
 template <class E>
 void sample_shape(Random& random, double noise, Vec3<double> (&x)[sample_count<E>]) {
-  if constexpr (is_group<E>) {
+  constexpr int n = sample_count<E>;
+  if constexpr (std::is_same_v<E, FittedShape<SphereShape>>) {
+    const Vec3<double> corners[7] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {0.6, 0.6, 0.6}};
+    for (int i = 0; i < n; ++i) x[i] = corners[i] + random.vector(0.7 * noise);
+  } else if constexpr (is_group<E>) {
+    // The centre of a ring lies above it; a circle has none.
+    const int first = std::is_same_v<E, FittedShape<CircleShape>> ? 0 : 1;
     x[0] = Vec3<double>{0, 0, 0.25} + random.vector(noise);
-    for (int i = 1; i < sample_count<E>; ++i) {
-      const double angle = 2 * 3.141592653589793 * (i - 1) / (sample_count<E> - 1);
+    for (int i = first; i < n; ++i) {
+      const double angle = 2 * 3.141592653589793 * i / (n - first);
       x[i] = Vec3<double>{std::cos(angle), std::sin(angle), 0} + random.vector(noise);
     }
   } else {
