@@ -40,6 +40,15 @@ TEST(WormLikeChain, AreaModulusIsTwiceTheShearModulus) {
   EXPECT_NEAR(sheet_energy(0.5, 1 + e, 0, 1 + e) / (2 * e * e), 2 * mu0, 5e-3);
 }
 
+TEST(WormLikeChain, WeighsAnEdgeWithItsStiffness) {
+  // Springs k on equilateral triangles have the shear modulus (sqrt 3/4) k.
+  const V edge[2] = {{0, 0, 0}, {0.4, 0, 0}};
+  const WormLikeChain::Params<double> params{mu0, 1 / 2.2};
+  double rows[1][2];
+  WormLikeChain::weight_rows(WormLikeChain::rest(edge, params), params, rows);
+  EXPECT_NEAR(rows[0][1] * rows[0][1], 4 / std::sqrt(3.0) * mu0, 1e-12);
+}
+
 TEST(WormLikeChain, HasTheForceOfThePublishedChain) {
   // Marko and Siggia's force of the chain less the repulsion, at 1.5 times the rest length.
   const V rest_edge[2] = {{0, 0, 0}, {0.5, 0, 0}}, edge[2] = {{0, 0, 0}, {0.75, 0, 0}};
