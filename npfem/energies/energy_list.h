@@ -3,10 +3,11 @@
 
 #include "energies/angle.h"
 #include "energies/closeness.h"
-#include "energies/curvature_bending.h"
+#include "energies/cotangent_bending.h"
 #include "energies/dihedral_bending.h"
 #include "energies/edge_strain.h"
 #include "energies/global.h"
+#include "energies/juelicher_bending.h"
 #include "energies/laplacian.h"
 #include "energies/lineage_area.h"
 #include "energies/lineage_bending.h"
@@ -54,9 +55,9 @@ using ElementEnergies =
              ParallelogramShape, RectangleShape, AngleRange, Closeness>;
 
 /// Of any number of vertices up to `max_vertices`, like the ring around a vertex.
-using GroupEnergies = TypeList<CurvatureBending<EdgeCurvature>, CurvatureBending<CotangentCurvature>,
-                               FittedShape<PlaneShape>, FittedShape<LineShape>, FittedShape<CircleShape>,
-                               FittedShape<SphereShape>, FittedShape<SimilarityShape>, Laplacian>;
+using GroupEnergies =
+    TypeList<JuelicherBending, CotangentBending, FittedShape<PlaneShape>, FittedShape<LineShape>,
+             FittedShape<CircleShape>, FittedShape<SphereShape>, FittedShape<SimilarityShape>, Laplacian>;
 
 /// Of the whole cell.
 using CellEnergies = TypeList<GlobalArea, GlobalVolume, LineageVolume>;

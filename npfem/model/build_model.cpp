@@ -87,9 +87,8 @@ void add_local_area(Model& model, const Material& material, const std::vector<Po
 }
 
 /// Helfrich's energy on the ring of each vertex.
-template <class Measure>
+template <class Energy>
 void add_curvature_bending(Model& model, const Material& material, const TriangleMesh& mesh) {
-  using Energy = CurvatureBending<Measure>;
   const bool flat = material.get_text("rest_angles") == "flat";
   const double curvature = material.get("spontaneous_curvature");
   if (!flat && curvature != 0) {
@@ -123,9 +122,9 @@ void add_bending(Model& model, const Material& material, const TriangleMesh& mes
       add_element<DihedralBending>(model, {h.a, h.b, h.c, h.d}, mesh.positions, {modulus, flat ? 1.0 : 0.0});
     }
   } else if (law == "juelicher" && modulus > 0) {
-    add_curvature_bending<EdgeCurvature>(model, material, mesh);
+    add_curvature_bending<JuelicherBending>(model, material, mesh);
   } else if (law == "cotangent" && modulus > 0) {
-    add_curvature_bending<CotangentCurvature>(model, material, mesh);
+    add_curvature_bending<CotangentBending>(model, material, mesh);
   }
 }
 

@@ -82,11 +82,11 @@ inline DihedralBending::Params<double> sample_params<DihedralBending>() {
   return {0.3, 0};
 }
 template <>
-inline CurvatureBending<EdgeCurvature>::Params<double> sample_params<CurvatureBending<EdgeCurvature>>() {
+inline HelfrichParams<double> sample_params<JuelicherBending>() {
   return {0.3, 0, 0};
 }
 template <>
-inline CurvatureBending<CotangentCurvature>::Params<double> sample_params<CurvatureBending<CotangentCurvature>>() {
+inline HelfrichParams<double> sample_params<CotangentBending>() {
   return {0.3, 0, 0};
 }
 template <>
@@ -185,7 +185,8 @@ template <class E>
 void sample_shape(Random& random, double noise, Vec3<double> (&x)[sample_count<E>]) {
   constexpr int n = sample_count<E>;
   if constexpr (std::is_same_v<E, FittedShape<SphereShape>>) {
-    const Vec3<double> corners[7] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {0.6, 0.6, 0.6}};
+    const Vec3<double> corners[7] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0},      {0, -1, 0},
+                                     {0, 0, 1}, {0, 0, -1}, {0.6, 0.6, 0.6}};
     for (int i = 0; i < n; ++i) x[i] = corners[i] + random.vector(0.7 * noise);
   } else if constexpr (is_group<E>) {
     // The centre of a ring lies above it; a circle has none.
