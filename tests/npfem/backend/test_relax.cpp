@@ -99,7 +99,7 @@ TEST(Relax, BendingAloneMakesTheDiscocyteOfHelfrich) {
     ASSERT_EQ(batch.relax(), 0);
     batch.evaluate();
     const double pi = 3.14159265358979, unit = 8 * pi * 0.3, size = std::sqrt(batch.measure("area", 0) / (4 * pi));
-    EXPECT_LT(batch.measure("energy:neo_hookean", 0), 2e-3 * unit);
+    EXPECT_LT(batch.measure("energy:neo_hookean", 0), 3e-3 * unit);
     // The share of the continuum's energy that 258 vertices measure.
     EXPECT_NEAR(batch.measure("energy:" + std::string(c.law) + "_bending", 0) / unit, c.share * 1.840, 0.01);
     EXPECT_NEAR(batch.measure("extent_x", 0) / size, 2.472, 0.01 * 2.472);
