@@ -5,7 +5,7 @@
 #include "energies/closeness.h"
 #include "energies/cotangent_bending.h"
 #include "energies/dihedral_bending.h"
-#include "energies/edge_strain.h"
+#include "energies/edge_strain_limit.h"
 #include "energies/global.h"
 #include "energies/juelicher_bending.h"
 #include "energies/laplacian.h"
@@ -21,10 +21,10 @@
 #include "energies/skalak.h"
 #include "energies/sphere_and_circle.h"
 #include "energies/tetrahedron_arap.h"
-#include "energies/tetrahedron_strain.h"
+#include "energies/tetrahedron_strain_limit.h"
 #include "energies/tetrahedron_volume.h"
 #include "energies/triangle_arap.h"
-#include "energies/triangle_strain.h"
+#include "energies/triangle_strain_limit.h"
 #include "energies/wlc.h"
 #include "energies/yeoh.h"
 
@@ -49,9 +49,9 @@ void for_each_energy(TypeList<Types...>, F&& f) {
 /// Of a fixed number of vertices.
 using ElementEnergies =
     TypeList<Membrane<Skalak>, Membrane<NeoHookean>, Membrane<Yeoh>, Membrane<LineageSurfaceMaterial>,
-             Membrane<LineageArea>, Membrane<LocalArea>, Membrane<TriangleStrain>, Membrane<TriangleArap>,
-             WormLikeChain, EdgeStrain, LineageBending, DihedralBending, Tetrahedron<NeoHookeanSolid>,
-             Tetrahedron<TetrahedronStrain>, Tetrahedron<TetrahedronArap>, Tetrahedron<TetrahedronVolume>,
+             Membrane<LineageArea>, Membrane<LocalArea>, Membrane<TriangleStrainLimit>, Membrane<TriangleArap>,
+             WormLikeChain, EdgeStrainLimit, LineageBending, DihedralBending, Tetrahedron<NeoHookeanSolid>,
+             Tetrahedron<TetrahedronStrainLimit>, Tetrahedron<TetrahedronArap>, Tetrahedron<TetrahedronVolume>,
              ParallelogramShape, RectangleShape, AngleRange, Closeness>;
 
 /// Of any number of vertices up to `max_vertices`, like the ring around a vertex.

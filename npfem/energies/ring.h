@@ -10,10 +10,10 @@ namespace npfem {
 
 inline constexpr int max_ring_vertices = 32;
 
-NPFEM_HD inline int next_in_ring(int i, int count) {
+NPFEM_HD constexpr int next_in_ring(int i, int count) {
   return i + 1 < count ? i + 1 : 1;
 }
-NPFEM_HD inline int previous_in_ring(int i, int count) {
+NPFEM_HD constexpr int previous_in_ring(int i, int count) {
   return i > 1 ? i - 1 : count - 1;
 }
 

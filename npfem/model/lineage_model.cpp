@@ -95,14 +95,14 @@ void add_constraint(Model& model, const LineageElement& element, std::size_t ind
     add<Membrane<TriangleArap>>(model, element, index, {w});
     surface_modulus(w);
   } else if (c.type == "TriangleStrainLimiting") {
-    add<Membrane<TriangleStrain>>(model, element, index, {w, least, largest});
+    add<Membrane<TriangleStrainLimit>>(model, element, index, {w, least, largest});
     surface_modulus(w);
   } else if (c.type == "EdgeStrainLimiting") {
-    add<EdgeStrain>(model, element, index, {w, least, largest});
+    add<EdgeStrainLimit>(model, element, index, {w, least, largest});
   } else if (c.type == "TetrahedronARAP") {
     add<Tetrahedron<TetrahedronArap>>(model, element, index, {w});
   } else if (c.type == "TetrahedronStrainLimiting") {
-    add<Tetrahedron<TetrahedronStrain>>(model, element, index, {w, least, largest});
+    add<Tetrahedron<TetrahedronStrainLimit>>(model, element, index, {w, least, largest});
   } else {  // Volume, and VolumeMaterial, whose three further scalars have no effect in the lineage either
     add<Tetrahedron<TetrahedronVolume>>(model, element, index, {w, least, largest});
   }

@@ -42,7 +42,7 @@ inline WormLikeChain::Params<double> sample_params<WormLikeChain>() {
   return {6.3, 1 / 2.2};
 }
 template <>
-inline TriangleStrain::Params<double> sample_params<Membrane<TriangleStrain>>() {
+inline TriangleStrainLimit::Params<double> sample_params<Membrane<TriangleStrainLimit>>() {
   return {50, 0.98, 1.03};
 }
 template <>
@@ -50,7 +50,7 @@ inline TriangleArap::Params<double> sample_params<Membrane<TriangleArap>>() {
   return {20};
 }
 template <>
-inline EdgeStrain::Params<double> sample_params<EdgeStrain>() {
+inline EdgeStrainLimit::Params<double> sample_params<EdgeStrainLimit>() {
   return {50, 0.995, 1.005};
 }
 template <>
@@ -58,7 +58,7 @@ inline NeoHookeanSolid::Params<double> sample_params<Tetrahedron<NeoHookeanSolid
   return {100, 400};
 }
 template <>
-inline TetrahedronStrain::Params<double> sample_params<Tetrahedron<TetrahedronStrain>>() {
+inline TetrahedronStrainLimit::Params<double> sample_params<Tetrahedron<TetrahedronStrainLimit>>() {
   return {50, 0.98, 1.03};
 }
 template <>

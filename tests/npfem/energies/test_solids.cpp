@@ -68,20 +68,20 @@ TEST(Arap, IsTheDistanceToTheNearestRotation) {
 }
 
 TEST(StrainLimit, IsFreeWithinItsRange) {
-  const TetrahedronStrain::Params<double> solid{10, 0.9, 1.2};
-  EXPECT_EQ(density<TetrahedronStrain>(diagonal(1.19, 0.91, 1), solid), 0);
-  EXPECT_NEAR(density<TetrahedronStrain>(diagonal(1.5, 0.7, 1), solid), 5 * (0.09 + 0.04), 1e-13);
-  EXPECT_NEAR(density<TetrahedronStrain>(diagonal(1, 1, -0.3), solid), 5 * 1.44, 1e-13) << "inverted";
-  const TriangleStrain::Params<double> sheet{10, 0.9, 1.2};
-  EXPECT_EQ(TriangleStrain::respond(1.19 * 1.19 + 0.91 * 0.91, 1.19 * 0.91, sheet).energy, 0);
-  EXPECT_NEAR(TriangleStrain::respond(1.5 * 1.5 + 0.7 * 0.7, 1.5 * 0.7, sheet).energy, 5 * (0.09 + 0.04), 1e-13);
+  const TetrahedronStrainLimit::Params<double> solid{10, 0.9, 1.2};
+  EXPECT_EQ(density<TetrahedronStrainLimit>(diagonal(1.19, 0.91, 1), solid), 0);
+  EXPECT_NEAR(density<TetrahedronStrainLimit>(diagonal(1.5, 0.7, 1), solid), 5 * (0.09 + 0.04), 1e-13);
+  EXPECT_NEAR(density<TetrahedronStrainLimit>(diagonal(1, 1, -0.3), solid), 5 * 1.44, 1e-13) << "inverted";
+  const TriangleStrainLimit::Params<double> sheet{10, 0.9, 1.2};
+  EXPECT_EQ(TriangleStrainLimit::respond(1.19 * 1.19 + 0.91 * 0.91, 1.19 * 0.91, sheet).energy, 0);
+  EXPECT_NEAR(TriangleStrainLimit::respond(1.5 * 1.5 + 0.7 * 0.7, 1.5 * 0.7, sheet).energy, 5 * (0.09 + 0.04), 1e-13);
   const V rest_edge[2] = {{0, 0, 0}, {2, 0, 0}}, inside[2] = {{0, 0, 0}, {0, 2.3, 0}},
           long_edge[2] = {{0, 0, 0}, {0, 3, 0}};
-  const EdgeStrain::Params<double> edge{10, 0.9, 1.2};
+  const EdgeStrainLimit::Params<double> edge{10, 0.9, 1.2};
   V g[2];
-  const auto rest = EdgeStrain::rest(rest_edge, edge);
-  EXPECT_EQ(EdgeStrain::energy_gradient(inside, rest, edge, g), 0);
-  EXPECT_NEAR(EdgeStrain::energy_gradient(long_edge, rest, edge, g), 0.5 * 10 * 2 * 0.09, 1e-13);
+  const auto rest = EdgeStrainLimit::rest(rest_edge, edge);
+  EXPECT_EQ(EdgeStrainLimit::energy_gradient(inside, rest, edge, g), 0);
+  EXPECT_NEAR(EdgeStrainLimit::energy_gradient(long_edge, rest, edge, g), 0.5 * 10 * 2 * 0.09, 1e-13);
   EXPECT_NEAR(g[1].y, 10 * 0.3, 1e-13) << "w (s - 1.2)";
 }
 
@@ -129,7 +129,7 @@ TEST(Closeness, PullsLikeASpring) {
   EXPECT_NEAR(Closeness::energy_gradient(x, Closeness::rest(target, {8}), Closeness::Params<double>{8}, g), 1, 1e-15);
   EXPECT_EQ(g[0].z, 4);
   static_assert(!is_translation_invariant_energy<Closeness>);
-  static_assert(is_translation_invariant_energy<EdgeStrain>);
+  static_assert(is_translation_invariant_energy<EdgeStrainLimit>);
 }
 
 }  // namespace

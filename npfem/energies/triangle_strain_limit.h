@@ -7,8 +7,8 @@ namespace npfem {
 
 /// Limits the principal stretches of a triangle to [least, largest], a projective-dynamics energy (Bouaziz et al. 2014,
 /// section 5.1): W = (w/2) [(l1 - clamp(l1))^2 + (l2 - clamp(l2))^2]. Free within the range.
-struct TriangleStrain {
-  static constexpr const char* name = "triangle_strain";
+struct TriangleStrainLimit {
+  static constexpr const char* name = "triangle_strain_limit";
   static constexpr bool zero_at_rest = true;
 
   template <class R>

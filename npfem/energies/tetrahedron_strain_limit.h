@@ -8,8 +8,8 @@ namespace npfem {
 /// Limits the principal stretches of a tetrahedron to [least, largest], a projective-dynamics energy (Bouaziz et al.
 /// 2014, section 5.1): W = (w/2) sum_i (l_i - clamp(l_i))^2. Free within the range; an inverted tetrahedron is outside
 /// of it and is turned back.
-struct TetrahedronStrain {
-  static constexpr const char* name = "tetrahedron_strain";
+struct TetrahedronStrainLimit {
+  static constexpr const char* name = "tetrahedron_strain_limit";
 
   template <class R>
   struct Params {

@@ -8,8 +8,8 @@ namespace npfem {
 /// Limits the stretch of an edge to [least, largest], a projective-dynamics energy (Bouaziz et al. 2014, section 5.1):
 ///   E = (w/2) l0 (s - clamp(s))^2,   s = l/l0.
 /// Free within the range.
-struct EdgeStrain {
-  static constexpr const char* name = "edge_strain";
+struct EdgeStrainLimit {
+  static constexpr const char* name = "edge_strain_limit";
   static constexpr int num_vertices = 2;
   static constexpr bool zero_at_rest = true;
 
