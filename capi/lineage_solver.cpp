@@ -23,14 +23,15 @@ void require_finite(std::span<const double> values, const char* what) {
 
 /// What the scalars are until they are edited: those of the red cell that the lineage ships.
 std::vector<double> default_scalars(const std::string& type) {
-  if (type == "SurfaceMaterial") return {1, 1, 35, 5, 0};
-  return {1, 1};
+  std::vector<double> scalars{1, 1, 35, 5, 0};
+  scalars.resize(static_cast<std::size_t>(lineage_arity(type).scalars));
+  return scalars;
 }
 
 void require_available(const std::string& type) {
   if (lineage_arity(type).ids == 0) {
     throw Error(Status::unknown_name,
-                "constraint type \"" + type + "\" is not available; there are SurfaceMaterial, Area, Bending");
+                "constraint type \"" + type + "\" is not available; there are " + lineage_types());
   }
 }
 

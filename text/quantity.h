@@ -30,6 +30,7 @@ struct Dimension {
   static constexpr Dimension none() { return {0, 0, 0, 0, "number", "1"}; }
   static constexpr Dimension angle() { return {0, 0, 0, 1, "angle", "deg"}; }
   static constexpr Dimension length() { return {1, 0, 0, 0, "length", "um"}; }
+  static constexpr Dimension curvature() { return {-1, 0, 0, 0, "curvature", "1/um"}; }
   static constexpr Dimension area() { return {2, 0, 0, 0, "area", "um2"}; }
   static constexpr Dimension volume() { return {3, 0, 0, 0, "volume", "um3"}; }
   static constexpr Dimension time() { return {0, 1, 0, 0, "time", "us"}; }

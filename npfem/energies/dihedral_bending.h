@@ -44,26 +44,12 @@ struct DihedralBending {
     const T cosine = rest.cosine * angle.cosine + rest.sine * angle.sine;  // of theta - theta0
     const T sine = rest.cosine * angle.sine - rest.sine * angle.cosine;
     const T moment = k * sine;  // dE/dtheta, pN um
-
-    // Moving an opposite vertex outward by h opens the hinge by h / (its height over the edge).
-    const T tiny = T(1e-30f);
-    const Vec3<T> outer_a =
-        (-moment * angle.edge_length / larger(dot(angle.normal_a, angle.normal_a), tiny)) * angle.normal_a;
-    const Vec3<T> outer_b =
-        (-moment * angle.edge_length / larger(dot(angle.normal_b, angle.normal_b), tiny)) * angle.normal_b;
-    // The edge takes the opposite forces, shared by where each opposite vertex projects on it: no net force or torque.
-    const T per_square = T(1) / larger(angle.edge_length * angle.edge_length, tiny);
-    const T share_a = dot(x[2] - x[0], angle.edge) * per_square;
-    const T share_b = dot(x[3] - x[0], angle.edge) * per_square;
-    gradient[2] = outer_a;
-    gradient[3] = outer_b;
-    gradient[1] = -(share_a * outer_a + share_b * outer_b);
-    gradient[0] = -(gradient[1] + gradient[2] + gradient[3]);
+    hinge_angle_gradient(x, angle, moment, gradient);
     return k * (R(1) - cosine);
   }
 
   template <class R>
-  static int weight_rows(const Rest<R>& rest, const Params<R>& params, R (&rows)[2][4]) {
+  static int weight_rows(const Rest<R>& rest, const Params<R>& params, R (&rows)[3][4]) {
     const R scale = square_root(params.modulus * rest.per_modulus) / rest.edge_length;
     for (int i = 0; i < 4; ++i) rows[0][i] = scale * rest.row.coefficient[i];
     return 1;

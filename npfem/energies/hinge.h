@@ -62,4 +62,24 @@ NPFEM_HD HingeAngle<T> hinge_angle(const Vec3<T> (&x)[4]) {
   return {dot(a, b) * scale, sine, a, b, edge, length};
 }
 
+/// Writes slope * d(theta)/dx, theta the angle of the hinge.
+template <class T>
+NPFEM_HD void hinge_angle_gradient(const Vec3<T> (&x)[4], const HingeAngle<T>& angle, const T& slope,
+                                   Vec3<T> (&gradient)[4]) {
+  // Moving an opposite vertex outward by h opens the hinge by h / (its height over the edge).
+  const T tiny = T(1e-30f);
+  const Vec3<T> outer_a =
+      (-slope * angle.edge_length / larger(dot(angle.normal_a, angle.normal_a), tiny)) * angle.normal_a;
+  const Vec3<T> outer_b =
+      (-slope * angle.edge_length / larger(dot(angle.normal_b, angle.normal_b), tiny)) * angle.normal_b;
+  // The edge takes the opposite forces, shared by where each opposite vertex projects on it: no net force or torque.
+  const T per_square = T(1) / larger(angle.edge_length * angle.edge_length, tiny);
+  const T share_a = dot(x[2] - x[0], angle.edge) * per_square;
+  const T share_b = dot(x[3] - x[0], angle.edge) * per_square;
+  gradient[2] = outer_a;
+  gradient[3] = outer_b;
+  gradient[1] = -(share_a * outer_a + share_b * outer_b);
+  gradient[0] = -(gradient[1] + gradient[2] + gradient[3]);
+}
+
 }  // namespace npfem

@@ -51,7 +51,7 @@ struct LineageBending {
   }
 
   template <class R>
-  static int weight_rows(const Rest<R>& rest, const Params<R>& params, R (&rows)[2][4]) {
+  static int weight_rows(const Rest<R>& rest, const Params<R>& params, R (&rows)[3][4]) {
     const R scale = square_root(params.weight * rest.per_area);
     for (int i = 0; i < 4; ++i) rows[0][i] = scale * rest.row.coefficient[i];
     return 1;

@@ -34,7 +34,13 @@ NPFEM_HD T smaller(const T& a, const T& b) {
   return select(a < b, a, b);
 }
 
-/// On a bound the bound is returned, so that a derivative sees a constant there: with least = largest it never sees `a`.
+template <class T>
+NPFEM_HD T absolute(const T& a) {
+  return select(a < T(0), -a, a);
+}
+
+/// On a bound the bound is returned, so that a derivative sees a constant there: with least = largest it never sees
+/// `a`.
 template <class T>
 NPFEM_HD T clamp(const T& a, const T& least, const T& largest) {
   const T below = smaller(a, largest);

@@ -17,22 +17,31 @@ constexpr double largest_viscosity = 1e15;  // 1e9 uN s/m
 
 constexpr ParamInfo number_table[] = {
     {"shear_modulus", Dimension::surface_modulus(), 0, largest, 0,
-     "in-plane shear modulus G_s of the laws skalak and neo_hookean"},
+     "in-plane shear modulus G_s of the laws skalak, neo_hookean, yeoh and wlc"},
     {"skalak_C", Dimension::none(), 0, 1e6, 1, "Skalak's C: the small-strain area modulus is G_s (1 + 2 C)"},
+    {"yeoh_c3", Dimension::surface_modulus(), 0, largest, 0, "law yeoh: coefficient c3 of k^3, the stiffening"},
+    {"wlc_rest_ratio", Dimension::none(), 0.05, 0.9, 1 / 2.2,
+     "law wlc: length of a spectrin link at rest over its contour length"},
     {"lineage_mu", Dimension::surface_modulus(), 0, largest, 0, "law lineage: mu, the quartic stiffening"},
     {"lineage_lambda", Dimension::surface_modulus(), 0, largest, 0,
      "law lineage: Lambda, four times the small-strain shear modulus"},
     {"lineage_membrane_weight", Dimension::surface_modulus(), 0, largest, 0,
      "law lineage: stiffness that enters the matrix of the solver only, never the energy"},
     {"local_area_modulus", Dimension::surface_modulus(), 0, largest, 0,
-     "weight of the lineage's local area energy: the small-strain area modulus is half of it; 0 leaves it out"},
+     "local area, form smooth: K_L of (K_L/2)(J - 1)^2; form lineage: its weight, twice the small-strain area modulus; "
+     "0 leaves it out"},
     {"global_area_modulus", Dimension::surface_modulus(), 0, largest, 0,
      "k_A of (k_A/2)(A - A0)^2/A0 on the whole area; 0 leaves it out"},
     {"global_volume_modulus", Dimension::stress(), 0, largest, 0,
      "k_V of (k_V/2)(V - V0)^2/V0 on the volume, form exact; 0 leaves it out"},
     {"lineage_volume_weight", Dimension::surface_modulus(), 0, largest, 0,
      "weight of the lineage's volume force, form lineage; 0 leaves it out"},
-    {"bending_modulus", Dimension::energy(), 0, largest, 0, "kappa_b of the law dihedral (1 pN um = 1e-18 J)"},
+    {"bending_modulus", Dimension::energy(), 0, largest, 0,
+     "kappa_b of the laws dihedral, juelicher and cotangent (1 pN um = 1e-18 J)"},
+    {"spontaneous_curvature", Dimension::curvature(), -1e3, 1e3, 0,
+     "laws juelicher and cotangent with rest_angles flat: mean curvature H0 that the membrane prefers, half of "
+     "Helfrich's "
+     "c0, positive where convex"},
     {"lineage_bending_weight", Dimension::energy(), 0, largest, 0,
      "weight w of the law lineage: the Helfrich modulus is 3 w"},
     {"stress_free_reduced_volume", Dimension::none(), 0, 1, 0,
@@ -48,12 +57,18 @@ constexpr ParamInfo number_table[] = {
 };
 
 constexpr TextParamInfo word_table[] = {
-    {"membrane_law", "none skalak neo_hookean lineage", "none", "in-plane elastic law of the membrane"},
+    {"membrane_law", "none skalak neo_hookean yeoh wlc lineage", "none", "in-plane elastic law of the membrane"},
+    {"local_area_form", "lineage smooth", "lineage",
+     "lineage: distance to the nearest deformation that keeps the area; smooth: square of the area strain"},
     {"global_volume_form", "exact lineage", "exact",
      "exact: the gradient of an energy; lineage: the force law of the lineage"},
-    {"bending_law", "none dihedral lineage", "none",
-     "dihedral: signed angle between triangles; lineage: magnitude of curvature only"},
-    {"rest_angles", "shape flat", "shape", "rest angles of the law dihedral: those of the initial shape, or zero"},
+    {"bending_law", "none dihedral juelicher cotangent lineage", "none",
+     "dihedral: signed angle between triangles; juelicher, cotangent: Helfrich's energy of the mean curvature, from "
+     "edges "
+     "or from the cotangent Laplacian; lineage: magnitude of curvature only"},
+    {"rest_angles", "shape flat", "shape",
+     "rest curvature of the laws dihedral, juelicher and cotangent: that of the initial shape, or flat (with "
+     "spontaneous_curvature, if any)"},
 };
 
 std::vector<std::string> all_keys() {

@@ -67,4 +67,24 @@ std::vector<std::vector<int>> find_neighbours(const TriangleMesh& mesh) {
   return neighbours;
 }
 
+std::vector<std::vector<int>> find_rings(const TriangleMesh& mesh) {
+  // Triangle (v, a, b) says that around v the neighbour b follows a.
+  std::vector<std::vector<std::pair<int, int>>> follows(mesh.positions.size());
+  for (const auto& [i, j, k] : mesh.triangles) {
+    follows[static_cast<std::size_t>(i)].emplace_back(j, k);
+    follows[static_cast<std::size_t>(j)].emplace_back(k, i);
+    follows[static_cast<std::size_t>(k)].emplace_back(i, j);
+  }
+  std::vector<std::vector<int>> rings(mesh.positions.size());
+  for (std::size_t v = 0; v < rings.size(); ++v) {
+    auto& pairs = follows[v];
+    std::sort(pairs.begin(), pairs.end());
+    for (auto at = pairs.begin(); at != pairs.end() && rings[v].size() < pairs.size();) {
+      rings[v].push_back(at->first);
+      at = std::lower_bound(pairs.begin(), pairs.end(), std::pair(at->second, -1));
+    }
+  }
+  return rings;
+}
+
 }  // namespace npfem

@@ -38,4 +38,8 @@ std::vector<std::array<int, 2>> find_edges(const TriangleMesh& mesh);
 /// The neighbours of each vertex, sorted.
 std::vector<std::vector<int>> find_neighbours(const TriangleMesh& mesh);
 
+/// The neighbours of each vertex of a closed surface in order around it, counter-clockwise seen from outside, beginning
+/// with the smallest number.
+std::vector<std::vector<int>> find_rings(const TriangleMesh& mesh);
+
 }  // namespace npfem

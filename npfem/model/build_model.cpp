@@ -19,57 +19,112 @@ std::vector<Point> stress_free_shape(const TriangleMesh& mesh, const Material& m
   return v > 0 ? oblate_reference(mesh, v).positions : mesh.positions;
 }
 
+[[noreturn]] void fail(const Material& material, const std::string& what) {
+  throw Error(Status::bad_input, "material \"" + material.name() + "\": " + what);
+}
+
+/// The modulus of a law that is nothing without it.
+double positive(const Material& material, const char* law_key, const char* key) {
+  const double value = material.get(key);
+  if (!(value > 0)) {
+    fail(material, std::string(law_key) + " \"" + material.get_text(law_key) + "\" needs a positive " + key +
+                       " (uN/m), found " + text::format_number(value));
+  }
+  return value;
+}
+
+/// One element of a membrane law on each triangle.
+template <class Law>
+void cover(Model& model, const std::vector<Point>& stress_free, const typename Law::template Params<double>& params) {
+  for (const Triangle& t : model.triangles) add_element<Membrane<Law>>(model, t, stress_free, params);
+}
+
+void set_moduli(Model& model, double shear, double largest) {
+  model.shear_modulus = shear;
+  model.largest_modulus = largest;
+}
+
 void add_membrane(Model& model, const Material& material, const std::vector<Point>& stress_free) {
   const std::string& law = material.get_text("membrane_law");
-  const double shear = material.get("shear_modulus");
-  if ((law == "skalak" || law == "neo_hookean") && !(shear > 0)) {
-    throw Error(Status::bad_input, "material \"" + material.name() + "\": membrane_law \"" + law +
-                                       "\" needs a positive shear_modulus (uN/m), found " + text::format_number(shear));
+  if (law == "none") return;
+  if (law == "lineage") {
+    const LineageSurfaceMaterial::Params<double> params{material.get("lineage_mu"), material.get("lineage_lambda"),
+                                                        positive(material, "membrane_law", "lineage_membrane_weight")};
+    cover<LineageSurfaceMaterial>(model, stress_free, params);
+    set_moduli(model, params.lambda / 4, params.lambda / 2);
+    return;
   }
+  const double shear = positive(material, "membrane_law", "shear_modulus");
   if (law == "skalak") {
     const double c = material.get("skalak_C");
-    for (const Triangle& t : model.triangles) add_element<Membrane<Skalak>>(model, t, stress_free, {shear, c});
-    model.shear_modulus = shear;
-    model.largest_modulus = shear * (1 + 2 * c);
+    cover<Skalak>(model, stress_free, {shear, c});
+    set_moduli(model, shear, shear * (1 + 2 * c));
   } else if (law == "neo_hookean") {
-    for (const Triangle& t : model.triangles) add_element<Membrane<NeoHookean>>(model, t, stress_free, {shear});
-    model.shear_modulus = shear;
-    model.largest_modulus = 3 * shear;
-  } else if (law == "lineage") {
-    if (const double weight = material.get("lineage_membrane_weight"); !(weight > 0)) {
-      throw Error(Status::bad_input, "material \"" + material.name() +
-                                         "\": membrane_law \"lineage\" needs a positive lineage_membrane_weight "
-                                         "(uN/m), found " +
-                                         text::format_number(weight) +
-                                         ": without it the matrix of the solver does not feel the membrane");
+    cover<NeoHookean>(model, stress_free, {shear});
+    set_moduli(model, shear, 3 * shear);
+  } else if (law == "yeoh") {
+    cover<Yeoh>(model, stress_free, {shear, material.get("yeoh_c3")});
+    set_moduli(model, shear, 3 * shear);
+  } else {
+    const WormLikeChain::Params<double> params{shear, material.get("wlc_rest_ratio")};
+    for (const auto& edge : find_edges({model.initial, model.triangles})) {
+      add_element<WormLikeChain>(model, edge, stress_free, params);
     }
-    const LineageSurfaceMaterial::Params<double> params{material.get("lineage_mu"), material.get("lineage_lambda"),
-                                                        material.get("lineage_membrane_weight")};
-    for (const Triangle& t : model.triangles) {
-      add_element<Membrane<LineageSurfaceMaterial>>(model, t, stress_free, params);
-    }
-    model.shear_modulus = params.lambda / 4;
-    model.largest_modulus = params.lambda / 2;
+    set_moduli(model, shear, 2 * shear);
   }
 }
 
 void add_local_area(Model& model, const Material& material, const std::vector<Point>& stress_free) {
-  const double weight = material.get("local_area_modulus");
-  if (weight == 0) return;
-  for (const Triangle& t : model.triangles) add_element<Membrane<LineageArea>>(model, t, stress_free, {weight, 1, 1});
-  model.largest_modulus = std::max(model.largest_modulus, weight / 2);
+  const double modulus = material.get("local_area_modulus");
+  if (modulus == 0) return;
+  if (material.get_text("local_area_form") == "smooth") {
+    cover<LocalArea>(model, stress_free, {modulus});
+    model.largest_modulus = std::max(model.largest_modulus, modulus);
+  } else {
+    cover<LineageArea>(model, stress_free, {modulus, 1, 1});
+    model.largest_modulus = std::max(model.largest_modulus, modulus / 2);
+  }
+}
+
+/// Helfrich's energy on the ring of each vertex.
+template <class Energy>
+void add_curvature_bending(Model& model, const Material& material, const TriangleMesh& mesh) {
+  const bool flat = material.get_text("rest_angles") == "flat";
+  const double curvature = material.get("spontaneous_curvature");
+  if (!flat && curvature != 0) {
+    fail(material,
+         "spontaneous_curvature = " + text::format_quantity(curvature, "1/um") +
+             " needs rest_angles \"flat\"; with \"shape\" the initial shape says what curvature is preferred");
+  }
+  const auto rings = find_rings(mesh);
+  for (std::size_t v = 0; v < rings.size(); ++v) {
+    std::vector<int> group{static_cast<int>(v)};
+    group.insert(group.end(), rings[v].begin(), rings[v].end());
+    if (group.size() > static_cast<std::size_t>(Energy::max_vertices)) {
+      fail(material, "bending_law \"" + material.get_text("bending_law") + "\" allows at most " +
+                         std::to_string(Energy::max_vertices - 1) + " neighbours of a vertex; vertex " +
+                         std::to_string(v) + " of the mesh has " + std::to_string(rings[v].size()));
+    }
+    add_group<Energy>(model, group, mesh.positions, {material.get("bending_modulus"), curvature, flat ? 1.0 : 0.0});
+  }
 }
 
 void add_bending(Model& model, const Material& material, const TriangleMesh& mesh) {
   const std::string& law = material.get_text("bending_law");
-  const bool flat = material.get_text("rest_angles") == "flat";
   const double modulus = material.get("bending_modulus"), weight = material.get("lineage_bending_weight");
-  for (const Hinge& h : find_hinges(mesh)) {
-    if (law == "dihedral" && modulus > 0) {
-      add_element<DihedralBending>(model, {h.a, h.b, h.c, h.d}, mesh.positions, {modulus, flat ? 1.0 : 0.0});
-    } else if (law == "lineage" && weight > 0) {
+  if (law == "lineage" && weight > 0) {
+    for (const Hinge& h : find_hinges(mesh)) {
       add_element<LineageBending>(model, {h.a, h.b, h.c, h.d}, mesh.positions, {weight, 1, 1});
     }
+  } else if (law == "dihedral" && modulus > 0) {
+    const bool flat = material.get_text("rest_angles") == "flat";
+    for (const Hinge& h : find_hinges(mesh)) {
+      add_element<DihedralBending>(model, {h.a, h.b, h.c, h.d}, mesh.positions, {modulus, flat ? 1.0 : 0.0});
+    }
+  } else if (law == "juelicher" && modulus > 0) {
+    add_curvature_bending<JuelicherBending>(model, material, mesh);
+  } else if (law == "cotangent" && modulus > 0) {
+    add_curvature_bending<CotangentBending>(model, material, mesh);
   }
 }
 

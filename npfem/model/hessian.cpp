@@ -85,6 +85,16 @@ Eigen::SparseMatrix<double> elastic_hessian(const Model& model, std::span<const 
     using E = typename decltype(tag)::type;
     assembler.add(model.block<E>());
   });
+  for_each_energy(GroupEnergies{}, [&](auto tag) {
+    using G = typename decltype(tag)::type;
+    const GroupBlock<G>& block = model.group_block<G>();
+    for (std::size_t g = 0; g < block.size(); ++g) {
+      const auto count = static_cast<int>(block.group(g).size());
+      assembler.add(block.group(g), [&](const Vec3<Dual>* corners, Vec3<Dual>* slopes) {
+        G::energy_gradient(corners, count, block.rest[g], block.params[g], slopes);
+      });
+    }
+  });
   if (model.has_cell_terms()) add_surface_curvature(model, surface_shape(model, x).sums, assembler);
   return assembler.matrix();
 }

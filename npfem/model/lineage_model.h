@@ -21,12 +21,13 @@ struct LineageMass {
   double volume_weight;  ///< pN/um, global volume; 0: none
 };
 
-/// Constraint types that can be built ("SurfaceMaterial", "Area", "Bending") and the number of vertices and scalars
-/// each takes; {0, 0} for any other name.
+/// The number of vertices and scalars that a constraint type takes; {0, 0} for a name that cannot be built.
 struct LineageArity {
   int ids, scalars;
 };
 LineageArity lineage_arity(const std::string& type);
+/// The constraint types that can be built: "SurfaceMaterial, Area, ...".
+std::string lineage_types();
 
 /// A cell as the lineage builds it: one element per constraint, rest volume of the present points over the
 /// SurfaceMaterial triangles. Throws Error(bad_input) for a type, an id or a count that cannot be built.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "model/model.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "error.h"
@@ -18,11 +19,24 @@ bool Model::has_cell_terms() const {
   return any;
 }
 
+bool Model::is_translation_invariant() const {
+  bool invariant = true;
+  for_each_energy(ElementEnergies{}, [&](auto tag) {
+    using E = typename decltype(tag)::type;
+    if (block<E>().size() > 0) invariant = invariant && is_translation_invariant_energy<E>;
+  });
+  return invariant;
+}
+
 std::vector<std::string> Model::energy_names() const {
   std::vector<std::string> names;
   for_each_energy(ElementEnergies{}, [&](auto tag) {
     using E = typename decltype(tag)::type;
     if (block<E>().size() > 0) names.emplace_back(E::name);
+  });
+  for_each_energy(GroupEnergies{}, [&](auto tag) {
+    using G = typename decltype(tag)::type;
+    if (group_block<G>().size() > 0) names.emplace_back(G::name);
   });
   for_each_energy(CellEnergies{}, [&](auto tag) {
     using E = typename decltype(tag)::type;
@@ -35,44 +49,57 @@ namespace {
 
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-/// Adds sum r r^T of one element.
-template <std::size_t N>
-void add_rows(Entries& entries, const std::array<int, N>& vertices, const double (&rows)[2][N], int num_rows) {
-  for (int r = 0; r < num_rows; ++r) {
-    for (std::size_t i = 0; i < N; ++i) {
-      for (std::size_t j = 0; j < N; ++j) entries.emplace_back(vertices[i], vertices[j], rows[r][i] * rows[r][j]);
-    }
-  }
-}
-
-[[noreturn]] void refuse_weight(const char* energy, std::size_t element) {
-  throw Error(Status::bad_input, "energy " + std::string(energy) + ", element " + std::to_string(element) +
-                                     ": its weight in the matrix of the solver is not finite: needed are a rest shape "
-                                     "of positive area and a finite modulus of at least 0");
-}
-
 Eigen::SparseMatrix<double> assembled(const Model& model, const Entries& entries) {
   Eigen::SparseMatrix<double> matrix(model.num_vertices(), model.num_vertices());
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
 
+void require_finite(std::span<const double> row, const char* energy, std::size_t element) {
+  if (std::all_of(row.begin(), row.end(), [](double entry) { return std::isfinite(entry * entry); })) return;
+  throw Error(Status::bad_input, "energy " + std::string(energy) + ", element " + std::to_string(element) +
+                                     ": its weight in the matrix of the solver is not finite: needed are a rest shape "
+                                     "of positive area and a finite modulus of at least 0");
+}
+
+/// Adds row row^T, the row being given over some vertices.
+void add_square(std::span<const double> row, std::span<const int> vertices, Entries& entries) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    for (std::size_t j = 0; j < vertices.size(); ++j) entries.emplace_back(vertices[i], vertices[j], row[i] * row[j]);
+  }
+}
+
+template <class E>
+void add_element_weights(const ElementBlock<E>& block, Entries& entries) {
+  for (std::size_t e = 0; e < block.size(); ++e) {
+    double rows[max_weight_rows<E>][E::num_vertices];
+    const int num_rows = E::weight_rows(block.rest[e], block.params[e], rows);
+    for (int r = 0; r < num_rows; ++r) {
+      require_finite(rows[r], E::name, e);
+      add_square(rows[r], block.vertices[e], entries);
+    }
+  }
+}
+
+template <class G>
+void add_group_weights(const GroupBlock<G>& block, Entries& entries) {
+  for (std::size_t g = 0; g < block.size(); ++g) {
+    const std::span<const int> group = block.group(g);
+    double rows[G::max_vertices][G::max_vertices];
+    const int num_rows = G::weight_rows(block.rest[g], block.params[g], static_cast<int>(group.size()), rows);
+    for (int r = 0; r < num_rows; ++r) {
+      require_finite({rows[r], group.size()}, G::name, g);
+      add_square({rows[r], group.size()}, group, entries);
+    }
+  }
+}
+
 Eigen::SparseMatrix<double> assemble_weight(const Model& model) {
   Entries entries;
-  for_each_energy(ElementEnergies{}, [&](auto tag) {
-    using E = typename decltype(tag)::type;
-    const auto& block = model.block<E>();
-    for (std::size_t e = 0; e < block.size(); ++e) {
-      double rows[2][E::num_vertices];
-      const int num_rows = E::weight_rows(block.rest[e], block.params[e], rows);
-      for (int r = 0; r < num_rows; ++r) {
-        for (const double entry : rows[r]) {
-          if (!std::isfinite(entry * entry)) refuse_weight(E::name, e);
-        }
-      }
-      add_rows(entries, block.vertices[e], rows, num_rows);
-    }
-  });
+  for_each_energy(ElementEnergies{},
+                  [&](auto tag) { add_element_weights(model.block<typename decltype(tag)::type>(), entries); });
+  for_each_energy(GroupEnergies{},
+                  [&](auto tag) { add_group_weights(model.group_block<typename decltype(tag)::type>(), entries); });
   return assembled(model, entries);
 }
 
@@ -85,7 +112,8 @@ Eigen::SparseMatrix<double> assemble_viscous_weight(const Model& model) {
     Vec3<double> x[3];
     for (std::size_t i = 0; i < 3; ++i) x[i] = as_vec3(model.initial[static_cast<std::size_t>(t[i])]);
     double rows[2][3];
-    add_rows(entries, t, rows, laplacian_rows(triangle_rest(x), stiffness, rows));
+    const int num_rows = laplacian_rows(triangle_rest(x), stiffness, rows);
+    for (int r = 0; r < num_rows; ++r) add_square(rows[r], t, entries);
   }
   return assembled(model, entries);
 }

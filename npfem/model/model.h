@@ -4,6 +4,7 @@
 #include <Eigen/SparseCore>
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -24,13 +25,29 @@ struct ElementBlock {
   std::size_t size() const { return vertices.size(); }
 };
 
-template <class List>
-struct BlocksOf;
-template <class... Es>
-struct BlocksOf<TypeList<Es...>> {
-  using type = std::tuple<ElementBlock<Es>...>;
+/// The same for groups of any number of vertices: group g has vertices[offsets[g]] to vertices[offsets[g + 1] - 1].
+template <class G>
+struct GroupBlock {
+  std::vector<int> offsets{0};
+  std::vector<int> vertices;
+  std::vector<typename G::template Params<double>> params;
+  std::vector<typename G::template Rest<double>> rest;
+
+  std::size_t size() const { return params.size(); }
+  std::span<const int> group(std::size_t g) const {
+    return std::span(vertices).subspan(static_cast<std::size_t>(offsets[g]),
+                                       static_cast<std::size_t>(offsets[g + 1] - offsets[g]));
+  }
 };
-using ElementBlocks = BlocksOf<ElementEnergies>::type;
+
+template <template <class> class Block, class List>
+struct BlocksOf;
+template <template <class> class Block, class... Es>
+struct BlocksOf<Block, TypeList<Es...>> {
+  using type = std::tuple<Block<Es>...>;
+};
+using ElementBlocks = BlocksOf<ElementBlock, ElementEnergies>::type;
+using GroupBlocks = BlocksOf<GroupBlock, GroupEnergies>::type;
 
 template <class List>
 struct TermsOf;
@@ -47,6 +64,7 @@ struct Model {
   std::vector<double> vertex_area;  ///< one third of the rest area of the triangles at each vertex, um^2
   std::vector<double> solid_mass;   ///< per vertex, fg
   ElementBlocks elements;
+  GroupBlocks groups;
   CellTerms cell_terms;
   CellRest<double> rest{};             ///< area and volume at rest
   Eigen::SparseMatrix<double> weight;  ///< sum of the energies' constant weights, n x n for each coordinate, pN/um
@@ -65,9 +83,20 @@ struct Model {
   ElementBlock<E>& block() {
     return std::get<ElementBlock<E>>(elements);
   }
+  template <class G>
+  const GroupBlock<G>& group_block() const {
+    return std::get<GroupBlock<G>>(groups);
+  }
+  template <class G>
+  GroupBlock<G>& group_block() {
+    return std::get<GroupBlock<G>>(groups);
+  }
   bool has_cell_terms() const;
   bool is_viscous() const { return viscosity.shear > 0 || viscosity.dilatational > 0; }
-  /// Names of the energies that this model evaluates: element energies first, in the order of the type lists.
+  /// False where an energy holds vertices to fixed places: a rigid translation then costs energy.
+  bool is_translation_invariant() const;
+  /// Names of the energies that this model evaluates: of elements, of groups, of the cell, each in the order of its
+  /// list.
   std::vector<std::string> energy_names() const;
 };
 

@@ -25,6 +25,19 @@ void add_element(Model& model, const std::array<int, E::num_vertices>& vertices,
   block.rest.push_back(E::rest(x, params));
 }
 
+/// Adds one group whose rest shape is given by its vertices in `rest` (um); at most G::max_vertices of them.
+template <class G>
+void add_group(Model& model, std::span<const int> vertices, const std::vector<Point>& rest,
+               const typename G::template Params<double>& params) {
+  Vec3<double> x[G::max_vertices];
+  for (std::size_t i = 0; i < vertices.size(); ++i) x[i] = as_vec3(rest[static_cast<std::size_t>(vertices[i])]);
+  auto& block = model.group_block<G>();
+  block.vertices.insert(block.vertices.end(), vertices.begin(), vertices.end());
+  block.offsets.push_back(static_cast<int>(block.vertices.size()));
+  block.params.push_back(params);
+  block.rest.push_back(G::rest(x, static_cast<int>(vertices.size()), params));
+}
+
 /// Fills what follows from shape and elements: vertex areas, rest area and volume, the weight matrix.
 void complete_model(Model& model);
 

@@ -107,7 +107,7 @@ static void misuse_parameters(const struct Objects* o) {
   FAILS(npfem_set_text(o->material, "membrane_law", "skalac"), NPFEM_ERROR_INPUT,
         "npfem_set_text: membrane_law: unknown word \"skalac\"; did you mean "
         "\"skalak\"? allowed: none, skalak, "
-        "neo_hookean, lineage");
+        "neo_hookean, yeoh, wlc, lineage");
   FAILS(npfem_param_name(o->batch, 16, text, 64), NPFEM_ERROR_ARGUMENT,
         "npfem_param_name: parameter 16 does not exist; there are 16, from 0");
   FAILS(npfem_param_kind(o->batch, -1), NPFEM_ERROR_ARGUMENT,

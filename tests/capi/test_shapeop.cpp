@@ -283,14 +283,67 @@ TEST(ShapeOp, TheHandleSurvivesBeingCutToAnInt) {
 TEST(ShapeOp, TypesThatAreNotAvailableAnswerMinusOne) {
   Sphere sphere;
   int ids[4] = {0, 1, 2, 3};
-  for (const char* type :
-       {"VolumeMaterial", "VolumeDamping", "Collision", "TriangleARAP", "TetrahedronARAP", "EdgeStrainLimiting",
-        "TriangleStrainLimiting", "TetrahedronStrainLimiting", "Volume", "Closeness", "Banding"}) {
+  for (const char* type : {"VolumeDamping", "Collision", "Closeness", "Banding"}) {
     for (int n = 1; n <= 4; ++n) EXPECT_EQ(shapeop_addConstraint(sphere, type, ids, n, 1), -1) << type;
   }
   EXPECT_EQ(last_error(),
             "shapeop_addConstraint: constraint type \"Banding\" is not available; there are "
-            "SurfaceMaterial, Area, Bending");
+            "SurfaceMaterial, Area, Bending, Volume, VolumeMaterial, TriangleARAP, TetrahedronARAP, "
+            "EdgeStrainLimiting, TriangleStrainLimiting, TetrahedronStrainLimiting");
+}
+
+TEST(ShapeOp, EveryTypeActsOnTheBodyThatItIsAddedTo) {
+  // Two opposite tips of a sphere are pulled apart; elements between the tips and two points of the equator hold them.
+  const auto stretch = [](const char* type, int num_ids, const std::vector<double>& scalars) {
+    Sphere sphere;
+    const auto vertex_at = [&sphere](Vector place) {
+      for (int v = 0; v < 66; ++v) {
+        const double* x = &sphere.rest()[3 * static_cast<std::size_t>(v)];
+        if (std::hypot(x[0] - place[0], x[1] - place[1], x[2] - place[2]) < 1e-9) return v;
+      }
+      ADD_FAILURE() << "no such vertex";
+      return 0;
+    };
+    int ids[4] = {vertex_at({2.6, 0, 0}), vertex_at({-2.6, 0, 0}), vertex_at({0, 2.6, 0}), vertex_at({0, 0, 2.6})};
+    Vector right{100, 0, 0}, left{-100, 0, 0};
+    shapeop_addVertexForce(sphere, right.data(), ids[0]);
+    shapeop_addVertexForce(sphere, left.data(), ids[1]);
+    if (*type) {
+      const int id = shapeop_addConstraint(sphere, type, ids, num_ids, 500);
+      EXPECT_GE(id, 0) << type << ": " << last_error();
+      const int count = static_cast<int>(scalars.size());
+      EXPECT_EQ(shapeop_editConstraint(sphere, type, id, scalars.data(), count), SO_SUCCESS) << last_error();
+    }
+    EXPECT_EQ(sphere.init(), 0) << type << ": " << last_error();
+    for (int i = 0; i < 20; ++i) EXPECT_EQ(sphere.solve(), 0);
+    return sphere.points();
+  };
+  const std::vector<double> alone = stretch("", 0, {});
+  for (const char* type : {"TriangleARAP", "TetrahedronARAP"}) {
+    EXPECT_LT(extent_x(stretch(type, type[1] == 'r' ? 3 : 4, {})), extent_x(alone) - 0.01) << type;
+  }
+  const struct {
+    const char* type;
+    int ids;
+  } ranged[] = {{"EdgeStrainLimiting", 2}, {"TriangleStrainLimiting", 3}, {"TetrahedronStrainLimiting", 4}};
+  for (const auto& t : ranged) {
+    EXPECT_LT(extent_x(stretch(t.type, t.ids, {1, 1})), extent_x(alone) - 0.01) << t.type;
+    EXPECT_EQ(stretch(t.type, t.ids, {0.01, 100}), stretch(t.type, t.ids, {0.02, 50})) << t.type << ": free in range";
+  }
+  EXPECT_GT(largest_difference(stretch("Volume", 4, {1, 1}), alone), 0.01) << "a volume may stretch, and thins";
+  EXPECT_EQ(stretch("VolumeMaterial", 4, {1, 1, 35, 5, 0}), stretch("Volume", 4, {1, 1}));
+}
+
+TEST(ShapeOp, AnElementWithoutExtentIsRefused) {
+  int ids[4] = {0, 1, 0, 1};
+  for (const auto& [type, n] : {std::pair{"TetrahedronARAP", 4}, std::pair{"TriangleARAP", 3}}) {
+    Sphere body;
+    ASSERT_EQ(shapeop_addConstraint(body, type, ids, n, 1), 256);
+    EXPECT_EQ(body.init(), 1);
+    EXPECT_EQ(last_error(), std::string("shapeop_initDynamic: constraint 256 (") + type +
+                                "): at rest its vertices lie on one point, line or plane; its edges, triangles and "
+                                "tetrahedra need a length, an area and a volume");
+  }
 }
 
 TEST(ShapeOp, WrongConstraintsAreRefused) {
@@ -308,7 +361,7 @@ TEST(ShapeOp, WrongConstraintsAreRefused) {
   EXPECT_EQ(shapeop_addConstraint(sphere, "Area", ids, 3, -1), -1);
   EXPECT_EQ(last_error(), "shapeop_addConstraint: Area: the weight must be a finite number of at least 0");
   EXPECT_EQ(shapeop_editConstraint(sphere, "Area", area, scalars.data(), 2), SO_SUCCESS);
-  EXPECT_EQ(shapeop_editConstraint(sphere, "Volume", area, scalars.data(), 2), SO_INVALID_CONSTRAINT_TYPE);
+  EXPECT_EQ(shapeop_editConstraint(sphere, "Collision", area, scalars.data(), 2), SO_INVALID_CONSTRAINT_TYPE);
   EXPECT_EQ(shapeop_editConstraint(sphere, "Area", area, scalars.data(), 3), SO_INVALID_ARGUMENT_LENGTH);
   EXPECT_EQ(last_error(), "shapeop_editConstraint: Area takes 2 scalars, found 3");
   EXPECT_EQ(shapeop_editConstraint(sphere, "SurfaceMaterial", 0, scalars.data(), 5), SO_INVALID_ARGUMENT_LENGTH);

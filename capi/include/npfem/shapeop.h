@@ -9,11 +9,14 @@
  *           and a wrong or deleted one is an error and not a crash. NULL means that shapeop_create() failed.
  * Errors    a function that returns nothing does nothing when its arguments are wrong. npfem_last_error() of npfem.h
  *           says what was found and what is allowed.
- * Types     SurfaceMaterial (3 vertices; scalars rangeMin rangeMax miu lambda kappa; rangeMin, rangeMax and kappa have
- *           no effect), Area (3 vertices; rangeMin rangeMax), Bending (4 vertices: the edge, then the vertex opposite
- *           to it in each triangle; rangeMin rangeMax).
- *           Not available, shapeop_addConstraint() answers -1: VolumeMaterial, VolumeDamping, Collision, TriangleARAP,
- *           TetrahedronARAP, EdgeStrainLimiting, TriangleStrainLimiting, TetrahedronStrainLimiting, Volume, Closeness.
+ * Types     with vertices and scalars:
+ *           SurfaceMaterial (3; rangeMin rangeMax miu lambda kappa; rangeMin, rangeMax and kappa have no effect),
+ *           Area, TriangleStrainLimiting (3; rangeMin rangeMax), TriangleARAP (3; none),
+ *           Bending (4: the edge, then the vertex opposite to it in each triangle; rangeMin rangeMax),
+ *           EdgeStrainLimiting (2; rangeMin rangeMax),
+ *           Volume, TetrahedronStrainLimiting (4; rangeMin rangeMax), TetrahedronARAP (4; none),
+ *           VolumeMaterial (4; rangeMin rangeMax miu lambda kappa; the last three have no effect).
+ *           Not available, shapeop_addConstraint() answers -1: VolumeDamping, Collision, Closeness.
  * Order     create, setPoints, addConstraint and editConstraint, forces, init, solve (one time step each), getPoints,
  *           delete.
  * Better    than the lineage: shapeop_setTimeStep() and shapeop_editConstraint() after the initialisation take full

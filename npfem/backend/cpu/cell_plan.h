@@ -120,6 +120,7 @@ struct CellPlan {
   GroupViews<GroupEnergies, R> vertex_groups;
   CellTermViews<CellEnergies, R> cell_terms;
   bool needs_area = false, needs_volume = false;  ///< by a cell energy
+  bool is_translation_invariant = true;           ///< false where vertices are held to fixed places
   bool has_potential = true;  ///< every force is the gradient of its energy; not so for LineageVolume
   CellRest<R> rest{};
   bool is_viscous = false;

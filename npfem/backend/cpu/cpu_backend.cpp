@@ -52,6 +52,10 @@ std::vector<int> energy_places(const Model& model) {
     using E = typename decltype(tag)::type;
     if (model.block<E>().size() > 0) places.push_back(index_in<E>(ElementEnergies{}));
   });
+  for_each_energy(GroupEnergies{}, [&](auto tag) {
+    using G = typename decltype(tag)::type;
+    if (model.group_block<G>().size() > 0) places.push_back(first_group_energy + index_in<G>(GroupEnergies{}));
+  });
   for_each_energy(CellEnergies{}, [&](auto tag) {
     using E = typename decltype(tag)::type;
     if (cell_term<E>(model)) places.push_back(first_cell_energy + index_in<E>(CellEnergies{}));

@@ -105,10 +105,26 @@ void PlanStorage<R>::add_elements(const Model& model, std::span<const int> place
 }
 
 template <class R>
+template <class G>
+void PlanStorage<R>::add_groups(const Model& model, std::span<const int> place) {
+  const GroupBlock<G>& block = model.group_block<G>();
+  if (block.size() == 0) return;
+  std::vector<int> vertices;
+  for (const int v : block.vertices) vertices.push_back(place[static_cast<std::size_t>(v)]);
+  auto& view = plan_.vertex_groups.template of<G>();
+  view.count = static_cast<int>(block.size());
+  view.offsets = keep(block.offsets);
+  view.vertices = keep(std::move(vertices));
+  view.rest = keep(all_in_numbers_of<typename G::template Rest<R>, R>(block.rest));
+  view.params = {keep(all_in_numbers_of<typename G::template Params<R>, R>(block.params)), 1};
+}
+
+template <class R>
 PlanStorage<R>::PlanStorage(const Model& model, std::span<const int> order) {
   std::vector<int> place(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
 
+  plan_.is_translation_invariant = model.is_translation_invariant();
   plan_.num_vertices = model.num_vertices();
   plan_.rest = {static_cast<R>(model.rest.area), static_cast<R>(model.rest.volume)};
   plan_.stiffest_diagonal = static_cast<R>(Eigen::VectorXd(model.weight.diagonal()).maxCoeff());
@@ -132,6 +148,7 @@ PlanStorage<R>::PlanStorage(const Model& model, std::span<const int> order) {
 
   for_each_energy(MembraneEnergies{}, [&](auto tag) { add_membrane<typename decltype(tag)::type>(model, place); });
   for_each_energy(LoneElementEnergies{}, [&](auto tag) { add_elements<typename decltype(tag)::type>(model, place); });
+  for_each_energy(GroupEnergies{}, [&](auto tag) { add_groups<typename decltype(tag)::type>(model, place); });
   for_each_energy(CellEnergies{}, [&](auto tag) {
     using E = typename decltype(tag)::type;
     if (const auto& params = cell_term<E>(model)) {

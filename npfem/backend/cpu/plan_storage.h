@@ -27,6 +27,8 @@ class PlanStorage {
   void add_membrane(const Model& model, std::span<const int> place);
   template <class E>
   void add_elements(const Model& model, std::span<const int> place);
+  template <class G>
+  void add_groups(const Model& model, std::span<const int> place);
   template <class T>
   T* keep(std::vector<T> values);
 

@@ -17,6 +17,19 @@ double element_energy(const ElementBlock<E>& block, const VertexField& x, Vertex
   return energy;
 }
 
+template <class G>
+double group_energy(const GroupBlock<G>& block, const VertexField& x, VertexField& gradient) {
+  double energy = 0;
+  for (std::size_t g = 0; g < block.size(); ++g) {
+    const std::span<const int> group = block.group(g);
+    Vec3<double> member[G::max_vertices], slope[G::max_vertices];
+    for (std::size_t i = 0; i < group.size(); ++i) member[i] = at(x, group[i]);
+    energy += G::energy_gradient(member, static_cast<int>(group.size()), block.rest[g], block.params[g], slope);
+    for (std::size_t i = 0; i < group.size(); ++i) add_to(gradient, group[i], slope[i]);
+  }
+  return energy;
+}
+
 /// Collects the energies one after the other, and their sum.
 class Ledger {
  public:
@@ -81,6 +94,11 @@ double elastic_energy(const Model& model, const VertexField& x, VertexField& gra
     using E = typename decltype(tag)::type;
     const ElementBlock<E>& block = model.block<E>();
     if (block.size() > 0) ledger.book(element_energy(block, x, gradient));
+  });
+  for_each_energy(GroupEnergies{}, [&](auto tag) {
+    using G = typename decltype(tag)::type;
+    const GroupBlock<G>& block = model.group_block<G>();
+    if (block.size() > 0) ledger.book(group_energy(block, x, gradient));
   });
   if (model.has_cell_terms()) add_cell_energies(model, x, gradient, ledger);
   return ledger.total();

@@ -45,8 +45,8 @@ void time_step(const Model& model, const StepFactor& factor, std::span<const Pat
   if (has_failed(cell.report.status)) return;
 
   // What residual force is left over has a mean, and the mean would be lost momentum. A rigid translation takes it out
-  // exactly, because neither elastic nor viscous energy feels a translation.
-  displacement.rowwise() -= gradient.colwise().sum() / inertia.sum();
+  // exactly, where neither elastic nor viscous energy feels a translation.
+  if (model.is_translation_invariant()) displacement.rowwise() -= gradient.colwise().sum() / inertia.sum();
 
   const VertexField velocity = (displacement - past * last_move) / h;
   if (options.integrator == Integrator::bdf2) {

@@ -35,7 +35,8 @@ struct Pulled {
       for (const int i : held) force(i, 0) = (side == 1 ? pull : -pull) / static_cast<double>(held.size());
     }
   }
-  StepObjective objective() const { return {*model, start, inertia, drift, force, patches, start}; }
+  Dissipation none{*model};
+  StepObjective objective() const { return {*model, start, inertia, drift, force, none, patches, start}; }
 };
 
 Eigen::MatrixXd second_derivative(const Pulled& pulled, const VertexField& displacement) {
@@ -92,7 +93,7 @@ TEST(Newton, EndsWhereTheQuasiNewtonIterationsEnd) {
   const StepObjective objective = pulled.objective();
   SolverOptions options;
   VertexField a = pulled.drift, b = pulled.drift, gradient(a.rows(), 3);
-  const StepFactor factor(*pulled.model, pulled.inertia, 1, pulled.patches);
+  const StepFactor factor(*pulled.model, pulled.inertia, {1, 0}, pulled.patches);
   const CellReport quasi = minimise(objective, factor, options, {5000, 1e-8}, a, gradient);
   const CellReport newton = newton_minimise(objective, options, {100, 1e-8}, b, gradient);
   ASSERT_EQ(quasi.status, CellStatus::converged);

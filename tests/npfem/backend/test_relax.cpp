@@ -52,6 +52,61 @@ TEST(Relax, InflatesASphereAsTheClosedFormSays) {
   }
 }
 
+TEST(Relax, EveryLawReturnsToItsOwnShape) {
+  for (const char* law : {"yeoh", "wlc", "skalak"}) {
+    for (const char* bending : {"juelicher", "cotangent"}) {
+      Material material = Material::preset("rbc");
+      material.set("stress_free_reduced_volume", 0);
+      material.set_text("membrane_law", law);
+      material.set("yeoh_c3", 0.4);
+      material.set_text("bending_law", bending);
+      Batch batch(std::make_shared<const Model>(build_model(evans_fung_cell(2), material)), "reference", 1);
+      batch.options().tolerance = 1e-7;
+      const auto rest = get(batch, Field::position);
+      std::vector<double> x = rest;
+      for (std::size_t i = 0; i < x.size(); i += 3) x[i] *= 1.1, x[i + 1] += 0.1 * x[i + 2];
+      batch.write(Field::position, 0, 1, x);
+      EXPECT_EQ(batch.relax(), 0) << law << " " << bending;
+      batch.evaluate();
+      EXPECT_NEAR(batch.measure("volume", 0), signed_volume(evans_fung_cell(2)), 1e-4);
+      EXPECT_NEAR(batch.measure("energy", 0), 0, 1e-9) << law << " " << bending << " " << batch.report(0).iterations;
+    }
+  }
+}
+
+TEST(Relax, BendingAloneMakesTheDiscocyteOfHelfrich) {
+  // S10: at the area and volume of a red cell (reduced volume 0.645) the shape of least bending energy has E/(8 pi
+  // kappa) = 1.840, diameter 2.472 and thickness 0.698 in units of sqrt(A/4 pi) (shape equations, by shooting); the
+  // measured shape that it starts from has 1.929. The mesh keeps a little shear and area stiffness, a thousandth of the
+  // bending energy, since vertices that slide for nothing crowd until the mesh no longer measures its curvature.
+  const struct {
+    const char* law;
+    double share;
+  } cases[] = {{"juelicher", 0.99}, {"cotangent", 0.965}};
+  for (const auto& c : cases) {
+    Material material;
+    material.set_text("membrane_law", "neo_hookean");
+    material.set("shear_modulus", 0.1);
+    material.set_text("local_area_form", "smooth");
+    material.set("local_area_modulus", 20);
+    material.set_text("bending_law", c.law);
+    material.set_text("rest_angles", "flat");
+    material.set("bending_modulus", 0.3);
+    material.set("global_area_modulus", 1000);
+    material.set("global_volume_modulus", 1000);
+    Batch batch(std::make_shared<const Model>(build_model(evans_fung_cell(3), material)), "reference", 1);
+    batch.options().tolerance = 1e-4;
+    ASSERT_EQ(batch.relax(), 0);
+    batch.evaluate();
+    const double pi = 3.14159265358979, unit = 8 * pi * 0.3, size = std::sqrt(batch.measure("area", 0) / (4 * pi));
+    EXPECT_LT(batch.measure("energy:neo_hookean", 0), 3e-3 * unit);
+    // The share of the continuum's energy that 258 vertices measure.
+    EXPECT_NEAR(batch.measure("energy:" + std::string(c.law) + "_bending", 0) / unit, c.share * 1.840, 0.01);
+    EXPECT_NEAR(batch.measure("extent_x", 0) / size, 2.472, 0.01 * 2.472);
+    EXPECT_NEAR(batch.measure("extent_z", 0) / size, 0.698, 0.03 * 0.698);
+  }
+}
+
 TEST(Relax, PatchesMoveAsOneBody) {
   Batch batch(testing::red_cell_model(3), "reference", 1);
   batch.relax();

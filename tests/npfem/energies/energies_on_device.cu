@@ -16,6 +16,14 @@ __global__ void element_kernel(const Vec3<R>* x, const typename E::template Rest
   for (int i = 0; i < E::num_vertices; ++i) gradient[E::num_vertices * e + i] = slope[i];
 }
 
+template <class G, class R>
+__global__ void group_kernel(const Vec3<R>* x, const int* offsets, const typename G::template Rest<R>* rest,
+                             const typename G::template Params<R>* params, Vec3<R>* gradient, R* energy) {
+  const int g = blockIdx.x * blockDim.x + threadIdx.x;
+  const int begin = offsets[g], count = offsets[g + 1] - begin;
+  energy[g] = G::energy_gradient(x + begin, count, rest[g], params[g], gradient + begin);
+}
+
 template <class E, class R>
 __global__ void cell_kernel(const CellSums<R>* sums, const CellRest<R>* rest,
                             const typename E::template Params<R>* params, CellResponse<R>* response) {
@@ -41,6 +49,11 @@ void element_kernels(TypeList<Es...>, const void** kernels) {
   ((*kernels++ = reinterpret_cast<const void*>(&element_kernel<Es, double>)), ...);
   ((*kernels++ = reinterpret_cast<const void*>(&element_kernel<Es, float>)), ...);
 }
+template <class... Gs>
+void group_kernels(TypeList<Gs...>, const void** kernels) {
+  ((*kernels++ = reinterpret_cast<const void*>(&group_kernel<Gs, double>)), ...);
+  ((*kernels++ = reinterpret_cast<const void*>(&group_kernel<Gs, float>)), ...);
+}
 template <class... Es>
 void cell_kernels(TypeList<Es...>, const void** kernels) {
   ((*kernels++ = reinterpret_cast<const void*>(&cell_kernel<Es, double>)), ...);
@@ -49,6 +62,7 @@ void cell_kernels(TypeList<Es...>, const void** kernels) {
 
 void all_kernels(const void** kernels) {
   element_kernels(ElementEnergies{}, kernels);
+  group_kernels(GroupEnergies{}, kernels);
   cell_kernels(CellEnergies{}, kernels);
   *kernels++ = reinterpret_cast<const void*>(&viscosity_kernel<double>);
   *kernels++ = reinterpret_cast<const void*>(&viscosity_kernel<float>);

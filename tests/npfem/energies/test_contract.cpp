@@ -17,17 +17,65 @@ namespace {
 using testing::Random;
 using V = Vec3<double>;
 
-template <class List>
+template <class... Lists>
 struct GoogleTypes;
-template <class... Es>
-struct GoogleTypes<TypeList<Es...>> {
-  using type = ::testing::Types<Es...>;
+template <class... Es, class... Gs>
+struct GoogleTypes<TypeList<Es...>, TypeList<Gs...>> {
+  using type = ::testing::Types<Es..., Gs...>;
 };
 
+// Elements and groups offer the same, groups with the number of vertices beside them.
+
+template <class E, class T>
+auto rest_of(const Vec3<T> (&x)[testing::sample_count<E>], const typename E::template Params<T>& params) {
+  if constexpr (testing::is_group<E>) {
+    return E::rest(x, testing::sample_count<E>, params);
+  } else {
+    return E::rest(x, params);
+  }
+}
+
+template <class E, class T>
+T energy_gradient(const Vec3<T> (&x)[testing::sample_count<E>], const typename E::template Rest<T>& rest,
+                  const typename E::template Params<T>& params, Vec3<T> (&gradient)[testing::sample_count<E>]) {
+  if constexpr (testing::is_group<E>) {
+    return E::energy_gradient(x, testing::sample_count<E>, rest, params, gradient);
+  } else {
+    return E::energy_gradient(x, rest, params, gradient);
+  }
+}
+
 template <class E>
-class ElementContract : public ::testing::Test {
+std::vector<std::vector<double>> weight_rows(const typename E::template Rest<double>& rest,
+                                             const typename E::template Params<double>& params) {
+  std::vector<std::vector<double>> all;
+  const auto collect = [&all](const auto& rows, int num_rows) {
+    for (int r = 0; r < num_rows; ++r) all.emplace_back(rows[r], rows[r] + testing::sample_count<E>);
+  };
+  if constexpr (testing::is_group<E>) {
+    double rows[E::max_vertices][E::max_vertices];
+    collect(rows, E::weight_rows(rest, params, testing::sample_count<E>, rows));
+  } else {
+    double rows[max_weight_rows<E>][E::num_vertices];
+    collect(rows, E::weight_rows(rest, params, rows));
+  }
+  return all;
+}
+
+/// An energy that holds vertices to places keeps the contract but for rigid motions.
+template <class E>
+constexpr bool is_held = [] {
+  if constexpr (testing::is_group<E>) {
+    return false;
+  } else {
+    return !is_translation_invariant_energy<E>;
+  }
+}();
+
+template <class E>
+class EnergyContract : public ::testing::Test {
  protected:
-  static constexpr int n = E::num_vertices;
+  static constexpr int n = testing::sample_count<E>;
   using Params = typename E::template Params<double>;
   using Rest = typename E::template Rest<double>;
 
@@ -36,41 +84,53 @@ class ElementContract : public ::testing::Test {
   Random random{7};
 
   Rest new_rest() {
-    testing::random_element(random, 0.15, reference);
-    return E::rest(reference, params);
+    testing::sample_shape<E>(random, 0.15, reference);
+    return rest_of<E>(reference, params);
   }
   double energy(const V (&x)[n], const Rest& rest) const {
     V unused[n];
-    return E::energy_gradient(x, rest, params, unused);
+    return energy_gradient<E>(x, rest, params, unused);
   }
 };
-TYPED_TEST_SUITE(ElementContract, GoogleTypes<ElementEnergies>::type);
+using AllEnergies = GoogleTypes<ElementEnergies, GroupEnergies>::type;
+TYPED_TEST_SUITE(EnergyContract, AllEnergies);
 
 double largest(const V& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-TYPED_TEST(ElementContract, NothingAtRest) {
+TYPED_TEST(EnergyContract, NothingAtRest) {
   using E = TypeParam;
   for (int k = 0; k < 20; ++k) {
     const auto rest = this->new_rest();
-    V gradient[E::num_vertices];
-    const double energy = E::energy_gradient(this->reference, rest, this->params, gradient);
-    EXPECT_NEAR(E::zero_at_rest ? energy : 0, 0, 1e-10);
+    V gradient[TestFixture::n];
+    double energy = energy_gradient<E>(this->reference, rest, this->params, gradient);
+    if constexpr (testing::fits_a_shape<E>) {
+      // At rest is where the energy leads to: half of the way to the nearest such shape, often enough.
+      EXPECT_GT(energy, 1e-6) << "the test starts away from rest";
+      for (int step = 0; step < 100; ++step) {
+        for (int i = 0; i < TestFixture::n; ++i) {
+          this->reference[i] = this->reference[i] - (0.5 / this->params.weight) * gradient[i];
+        }
+        energy = energy_gradient<E>(this->reference, rest, this->params, gradient);
+      }
+    }
+    EXPECT_NEAR(E::zero_at_rest || testing::fits_a_shape<E> ? energy : 0, 0, 1e-10);
     for (const V& g : gradient) EXPECT_LT(largest(g), 2e-10);
   }
 }
 
-TYPED_TEST(ElementContract, NoNetForceNoNetTorque) {
+TYPED_TEST(EnergyContract, NoNetForceNoNetTorque) {
   using E = TypeParam;
+  if (is_held<E>) return;
   for (int k = 0; k < 50; ++k) {
     const auto rest = this->new_rest();
-    V x[E::num_vertices], gradient[E::num_vertices];
-    testing::random_element(this->random, 0.4, x);
-    E::energy_gradient(x, rest, this->params, gradient);
+    V x[TestFixture::n], gradient[TestFixture::n];
+    testing::sample_shape<E>(this->random, 0.4, x);
+    energy_gradient<E>(x, rest, this->params, gradient);
     V force{0, 0, 0}, torque{0, 0, 0};
     double size = 0;
-    for (int i = 0; i < E::num_vertices; ++i) {
+    for (int i = 0; i < TestFixture::n; ++i) {
       force = force + gradient[i];
       torque = torque + cross(x[i], gradient[i]);
       size += norm(gradient[i]);
@@ -81,18 +141,18 @@ TYPED_TEST(ElementContract, NoNetForceNoNetTorque) {
   }
 }
 
-TYPED_TEST(ElementContract, GradientEqualsCentralDifferences) {
+TYPED_TEST(EnergyContract, GradientEqualsCentralDifferences) {
   using E = TypeParam;
   const double h = 1e-5;
   for (int k = 0; k < 50; ++k) {
     const auto rest = this->new_rest();
-    V x[E::num_vertices], gradient[E::num_vertices];
-    for (int i = 0; i < E::num_vertices; ++i)
+    V x[TestFixture::n], gradient[TestFixture::n];
+    for (int i = 0; i < TestFixture::n; ++i)
       x[i] = this->reference[i] + this->random.vector(testing::sample_displacement<E>);
-    E::energy_gradient(x, rest, this->params, gradient);
+    energy_gradient<E>(x, rest, this->params, gradient);
     double size = 0;
     for (const V& g : gradient) size = std::max(size, largest(g));
-    for (int i = 0; i < E::num_vertices; ++i) {
+    for (int i = 0; i < TestFixture::n; ++i) {
       for (double V::*axis : {&V::x, &V::y, &V::z}) {
         const double at = x[i].*axis;
         x[i].*axis = at + h;
@@ -106,59 +166,56 @@ TYPED_TEST(ElementContract, GradientEqualsCentralDifferences) {
   }
 }
 
-TYPED_TEST(ElementContract, FeelsNoRigidMotion) {
+TYPED_TEST(EnergyContract, FeelsNoRigidMotion) {
   using E = TypeParam;
+  if (is_held<E>) return;
   for (int k = 0; k < 20; ++k) {
     const auto rest = this->new_rest();
-    V x[E::num_vertices], y[E::num_vertices];
-    testing::random_element(this->random, 0.3, x);
+    V x[TestFixture::n], y[TestFixture::n];
+    testing::sample_shape<E>(this->random, 0.3, x);
     const V axis = this->random.vector(1), shift = this->random.vector(30);
     const double angle = this->random(-3, 3);
-    for (int i = 0; i < E::num_vertices; ++i) y[i] = testing::moved(x[i], axis, angle, shift);
+    for (int i = 0; i < TestFixture::n; ++i) y[i] = testing::moved(x[i], axis, angle, shift);
     const double energy = this->energy(x, rest);
     EXPECT_NEAR(this->energy(y, rest), energy, 1e-11 * (1 + std::abs(energy)));
   }
 }
 
-TYPED_TEST(ElementContract, FiniteWhenCollapsed) {
+TYPED_TEST(EnergyContract, FiniteWhenCollapsed) {
   using E = TypeParam;
   const auto rest = this->new_rest();
-  const V on_a_point[4] = {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {1, 2, 3}};
-  const V on_a_line[4] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
-  for (const auto& shape : {on_a_point, on_a_line}) {
-    V x[E::num_vertices], gradient[E::num_vertices];
-    for (int i = 0; i < E::num_vertices; ++i) x[i] = shape[i];
-    EXPECT_TRUE(std::isfinite(E::energy_gradient(x, rest, this->params, gradient)));
+  for (const V& spacing : {V{0, 0, 0}, V{1, 0, 0}}) {  // on a point, on a line
+    V x[TestFixture::n], gradient[TestFixture::n];
+    for (int i = 0; i < TestFixture::n; ++i) x[i] = V{1, 2, 3} + static_cast<double>(i) * spacing;
+    EXPECT_TRUE(std::isfinite(energy_gradient<E>(x, rest, this->params, gradient)));
     for (const V& g : gradient) EXPECT_TRUE(std::isfinite(g.x) && std::isfinite(g.y) && std::isfinite(g.z));
   }
 }
 
-TYPED_TEST(ElementContract, WeightIsPositiveSemidefiniteAndSteersDownhill) {
+TYPED_TEST(EnergyContract, WeightIsPositiveSemidefiniteAndBlindToTranslations) {
   using E = TypeParam;
   for (int k = 0; k < 20; ++k) {
-    const auto rest = this->new_rest();
-    double rows[2][E::num_vertices];
-    const int num_rows = E::weight_rows(rest, this->params, rows);
-    ASSERT_GE(num_rows, 1);
-    for (int r = 0; r < num_rows; ++r) {
+    const auto rows = weight_rows<E>(this->new_rest(), this->params);
+    ASSERT_FALSE(rows.empty());
+    for (const std::vector<double>& row : rows) {  // a sum of squares cannot be negative
       double sum = 0, size = 0;
-      for (int i = 0; i < E::num_vertices; ++i) {
-        ASSERT_TRUE(std::isfinite(rows[r][i]));
-        sum += rows[r][i];
-        size += std::abs(rows[r][i]);
+      for (const double entry : row) {
+        ASSERT_TRUE(std::isfinite(entry));
+        sum += entry;
+        size += std::abs(entry);
       }
       EXPECT_GT(size, 0);
-      EXPECT_LT(std::abs(sum), 1e-12 * size) << "a weight must not resist a translation";
+      EXPECT_LT(is_held<E> ? 0 : std::abs(sum), 1e-12 * size) << "a weight must not resist a translation";
     }
   }
 }
 
-TYPED_TEST(ElementContract, FloatFollowsDouble) {
+TYPED_TEST(EnergyContract, FloatFollowsDouble) {
   using E = TypeParam;
-  constexpr int corners = E::num_vertices;
+  constexpr int corners = TestFixture::n;
   Vec3<float> rest_float[corners], x[corners], gradient_float[corners];
   V reference_double[corners], x_double[corners], gradient[corners];
-  testing::random_element(this->random, 0.1, reference_double);
+  testing::sample_shape<E>(this->random, 0.1, reference_double);
   for (int i = 0; i < corners; ++i) {
     const V step = this->random.vector(0.1);
     rest_float[i] = {float(reference_double[i].x), float(reference_double[i].y), float(reference_double[i].z)};
@@ -170,11 +227,13 @@ TYPED_TEST(ElementContract, FloatFollowsDouble) {
   const auto p = this->params;
   typename E::template Params<float> params_float;
   static_assert(sizeof(p) == 2 * sizeof(params_float), "parameters are plain numbers");
+  static_assert(sizeof(typename E::template Rest<double>) == 2 * sizeof(typename E::template Rest<float>),
+                "a rest shape is plain numbers");
   const double* from = reinterpret_cast<const double*>(&p);
   float* to = reinterpret_cast<float*>(&params_float);
   for (std::size_t i = 0; i < sizeof(p) / sizeof(double); ++i) to[i] = static_cast<float>(from[i]);
-  E::energy_gradient(x_double, E::rest(reference_double, p), p, gradient);
-  E::energy_gradient(x, E::rest(rest_float, params_float), params_float, gradient_float);
+  energy_gradient<E>(x_double, rest_of<E>(reference_double, p), p, gradient);
+  energy_gradient<E>(x, rest_of<E>(rest_float, params_float), params_float, gradient_float);
   double size = 0;
   for (const V& g : gradient) size = std::max(size, largest(g));
   for (int i = 0; i < corners; ++i) {

@@ -49,6 +49,16 @@ TEST(UniaxialTension, NeoHookean) {
   }
 }
 
+TEST(UniaxialTension, YeohIsTheNeoHookeanTimesItsSlope) {
+  // W is a function of k alone, so the sheet narrows as a neo-Hookean one and T1 grows by (2/G_s) dW/dk.
+  for (const auto& p : uniaxial) {
+    const double k = p.l1 * p.l1 + 2 / p.l1 - 3;
+    const Tensions t = tensions<Yeoh>({1.0, 0.1}, p.l1, 1 / std::sqrt(p.l1));
+    EXPECT_NEAR(t.t1, p.nh * (1 + 0.6 * k * k), 2e-5 * (1 + 0.6 * k * k));
+    EXPECT_NEAR(t.t2, 0, 1e-12);
+  }
+}
+
 TEST(UniaxialTension, Skalak) {
   for (const auto& p : uniaxial) {
     const struct { double c, t1; } cases[] = {{1, p.skalak1}, {10, p.skalak10}, {100, p.skalak100}};
@@ -95,6 +105,12 @@ TEST(SmallStrain, LineageAreaModulusIsHalfTheWeight) {
   const double e = 1e-6;
   const Tensions t = tensions<LineageArea>({5000, 1, 1}, 1 + e, 1 + e);
   EXPECT_NEAR(t.t1 / (2 * e), 2500, 0.1);
+}
+
+TEST(LocalArea, TensionIsTheModulusTimesTheStrainInAllDirections) {
+  const Tensions t = tensions<LocalArea>({200}, 1.2, 1.1);
+  EXPECT_NEAR(t.t1, 200 * (1.32 - 1), 1e-10);
+  EXPECT_NEAR(t.t2, 200 * (1.32 - 1), 1e-10);
 }
 
 TEST(LineageArea, LeavesShearAloneAndProjectsExactly) {

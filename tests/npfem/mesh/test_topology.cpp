@@ -62,5 +62,22 @@ TEST(Edges, FulfilEuler) {
   EXPECT_EQ(std::count_if(neighbours.begin(), neighbours.end(), [](const auto& n) { return n.size() == 6; }), 252);
 }
 
+TEST(Rings, RunCounterClockwiseAroundEachVertex) {
+  const TriangleMesh mesh = octahedral_sphere(2);
+  const auto rings = find_rings(mesh), neighbours = find_neighbours(mesh);
+  for (std::size_t v = 0; v < rings.size(); ++v) {
+    auto sorted = rings[v];
+    EXPECT_EQ(sorted.front(), *std::min_element(sorted.begin(), sorted.end()));
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+      const int a = rings[v][i], b = rings[v][(i + 1) % sorted.size()], c = static_cast<int>(v);
+      const bool is_triangle = std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
+                                           [&](const Triangle& t) { return holds(t, c, a) && holds(t, a, b); });
+      EXPECT_TRUE(is_triangle) << c << " " << a << " " << b;
+    }
+    std::sort(sorted.begin(), sorted.end());
+    EXPECT_EQ(sorted, neighbours[v]);
+  }
+}
+
 }  // namespace
 }  // namespace npfem

@@ -93,11 +93,18 @@ template <class E>
 class ElementHessian : public ::testing::Test {};
 TYPED_TEST_SUITE(ElementHessian, GoogleTypes<ElementEnergies>::type);
 
+/// Energies that are convex: nothing of theirs is ever projected away.
+template <class E>
+constexpr bool is_convex = std::is_same_v<E, ParallelogramShape> || std::is_same_v<E, Closeness>;
+
 TYPED_TEST(ElementHessian, EqualsDifferencesOfTheGradient) {
+  // A projection of four Newton steps has a derivative one step less converged than its value.
+  constexpr bool lags = std::is_same_v<TypeParam, Tetrahedron<TetrahedronVolume>>;
+  const double displacement = (lags ? 0.3 : 1.0) * testing::sample_displacement<TypeParam>;
   Random random(11);
   for (unsigned k = 0; k < 20; ++k) {
     const Model model = one_element<TypeParam>(random);
-    const auto x = positions(model, testing::sample_displacement<TypeParam>, k);
+    const auto x = positions(model, displacement, k);
     const Eigen::MatrixXd exact = elastic_hessian(model, x, Definite::exact);
     EXPECT_LT(largest(exact - by_differences(model, x)), 1e-5 * largest(exact));
     EXPECT_GT(largest(exact), 1e-3) << "a test on zeros proves nothing";
@@ -119,7 +126,7 @@ TYPED_TEST(ElementHessian, ProjectedKeepsWhatCurvesUpward) {
     EXPECT_LT((after.eigenvalues() - before.eigenvalues().cwiseMax(0)).cwiseAbs().maxCoeff(), 1e-12 * size);
     indefinite += before.eigenvalues()(0) < -1e-6 * size ? 1 : 0;
   }
-  EXPECT_GT(indefinite, 0) << "nothing was projected";
+  EXPECT_EQ(indefinite > 0, !is_convex<TypeParam>);
 }
 
 /// Cells of both kinds of material; the energies on the whole cell are part of each.

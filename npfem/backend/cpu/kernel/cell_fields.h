@@ -13,12 +13,13 @@ class CellFields {
  public:
   static constexpr int cells = Shape::cells;
 
-  CellFields(const cpu::CellBlock& block, int first_lane, int num_vertices)
+  /// `centred` false: positions stay about the origin, because the cell's energies feel where it is.
+  CellFields(const cpu::CellBlock& block, int first_lane, int num_vertices, bool centred)
       : block_(block), first_(first_lane), n_(num_vertices) {
     for (int l = 0; l < cells; ++l) {
       for (int c = 0; c < 3; ++c) centre[l][c] = 0;
     }
-    for (int i = 0; i < n_; ++i) {
+    for (int i = 0; i < n_ && centred; ++i) {
       for (int c = 0; c < 3; ++c) {
         const double* const row = from(block_.position, 3 * i + c);
         for (int l = 0; l < cells; ++l) centre[l][c] += row[l];

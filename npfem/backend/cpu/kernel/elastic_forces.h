@@ -88,6 +88,18 @@ void element_forces(const cpu::ElementView<E, R>& view, const P* x, P* gradient,
   }
 }
 
+template <class G, class R, class P>
+void group_forces(const cpu::GroupView<G, R>& view, const P* x, P* gradient, P& energy) {
+  Vec3<P> corner[G::max_vertices], slope[G::max_vertices];
+  for (int g = 0; g < view.count; ++g) {
+    const int* const v = view.vertices + view.offsets[g];
+    const int count = view.offsets[g + 1] - view.offsets[g];
+    for (int i = 0; i < count; ++i) corner[i] = load(x, v[i]);
+    energy += G::energy_gradient(corner, count, view.rest[g], view.params.params[g * view.params.stride], slope);
+    for (int i = 0; i < count; ++i) add(gradient, v[i], slope[i]);
+  }
+}
+
 /// Answers of the energies of the whole cell to its sums, added up.
 template <class R, class P>
 NPFEM_LANES_INLINE CellResponse<P> cell_response(const cpu::CellPlan<R>& plan, const CellSums<P>& sums, P* energies) {
@@ -122,6 +134,13 @@ P elastic_forces(const cpu::CellPlan<R>& plan, const P* x, P* gradient, P* area_
         using E = typename decltype(tag)::type;
         const auto& view = plan.elements.template of<E>();
         if (view.count > 0) element_forces<E>(view, x, gradient, energies[index_in<E>(ElementEnergies{})]);
+      });
+  for_each_energy(
+      GroupEnergies{}, [&](auto tag) __attribute__((always_inline)) {
+        using G = typename decltype(tag)::type;
+        const auto& view = plan.vertex_groups.template of<G>();
+        if (view.count > 0)
+          group_forces<G>(view, x, gradient, energies[cpu::first_group_energy + index_in<G>(GroupEnergies{})]);
       });
   if (plan.needs_area || plan.needs_volume) {
     CellSums<P> cell{sums.area, sums.volume, zero};

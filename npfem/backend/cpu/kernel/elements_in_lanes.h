@@ -142,6 +142,21 @@ struct ElementsInLanes {
     }
   }
 
+  /// Groups differ in size, so they are taken one by one.
+  template <class G>
+  static void groups(const cpu::GroupView<G, R>& view, const R* x, R* gradient, P& energy) {
+    R total = 0;
+    Vec3<R> corner[G::max_vertices], slope[G::max_vertices];
+    for (int g = 0; g < view.count; ++g) {
+      const int* const v = view.vertices + view.offsets[g];
+      const int count = view.offsets[g + 1] - view.offsets[g];
+      for (int i = 0; i < count; ++i) corner[i] = {x[3 * v[i]], x[3 * v[i] + 1], x[3 * v[i] + 2]};
+      total += G::energy_gradient(corner, count, view.rest[g], view.params.params[g * view.params.stride], slope);
+      for (int i = 0; i < count; ++i) NPFEM_ISA::add(gradient, v[i], slope[i]);
+    }
+    energy.set(0, energy[0] + total);
+  }
+
   static P forces(const cpu::CellPlan<R>& plan, const P* x, P* gradient, P* area_gradient, P* volume_gradient,
                   P* energies) {
     const int packs = length(plan.num_vertices);
@@ -159,6 +174,13 @@ struct ElementsInLanes {
           using E = typename decltype(tag)::type;
           const auto& view = plan.elements.template of<E>();
           if (view.count > 0) elements<E>(view, at, flat(gradient), energies[index_in<E>(ElementEnergies{})]);
+        });
+    for_each_energy(
+        GroupEnergies{}, [&](auto tag) __attribute__((always_inline)) {
+          using G = typename decltype(tag)::type;
+          const auto& view = plan.vertex_groups.template of<G>();
+          if (view.count > 0)
+            groups<G>(view, at, flat(gradient), energies[cpu::first_group_energy + index_in<G>(GroupEnergies{})]);
         });
     for (int e = 0; e < cpu::first_cell_energy; ++e) energies[e] = sum(energies[e]);
     if (plan.needs_area || plan.needs_volume) {

@@ -17,7 +17,7 @@ void evaluate(const cpu::EvaluateTask<double>& task) {
   P* const gradient = memory.take<P>(length);
   P* const area_gradient = memory.take<P>(length);
   P* const volume_gradient = memory.take<P>(length);
-  const Fields fields(task.block, task.first_lane, n);
+  const Fields fields(task.block, task.first_lane, n, task.plan->is_translation_invariant);
   for (int i = 0; i < 3 * n; ++i) {
     for (int l = 0; l < cells; ++l)
       Fields::row(position, i)[l] = fields.from(task.block.position, i)[l] - fields.centre[l][i % 3];

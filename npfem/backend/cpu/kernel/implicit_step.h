@@ -25,7 +25,7 @@ class ImplicitStep {
         plan_(*task.plan),
         n_(plan_.num_vertices),
         length_(Shape::length(n_)),
-        fields_(task.block, task.first_lane, n_),
+        fields_(task.block, task.first_lane, n_, plan_.is_translation_invariant),
         search_(*task.matrices, n_, settings_.history, memory) {
     for (P** field : {&start_, &inertia_, &drift_, &force_, &tied_, &last_move_, &here_, &there_, &gradient_,
                       &trial_gradient_, &direction_, &position_, &area_gradient_, &volume_gradient_}) {
@@ -383,7 +383,8 @@ class ImplicitStep {
       for (int l = 0; l < cells; ++l) inertia[l] += static_cast<double>(m[l]);
     }
     for (int c = 0; c < 3; ++c) {
-      for (int l = 0; l < cells; ++l) shift[c][l] = inertia[l] > 0 ? shift[c][l] / inertia[l] : 0.0;
+      for (int l = 0; l < cells; ++l)
+        shift[c][l] = inertia[l] > 0 && plan_.is_translation_invariant ? shift[c][l] / inertia[l] : 0.0;
     }
     for (int row = 0; row < 3 * n_; ++row) finish_row(row, shift[row % 3], moves);
   }

@@ -24,7 +24,7 @@ class LineageStep {
         plan_(*task.plan),
         n_(plan_.num_vertices),
         length_(Shape::length(n_)),
-        fields_(task.block, task.first_lane, n_),
+        fields_(task.block, task.first_lane, n_, plan_.is_translation_invariant),
         search_(*task.matrices, n_, settings_.history, memory) {
     for (P** field : {&start_, &inertial_, &mass_, &here_, &there_, &gradient_, &trial_gradient_, &direction_,
                       &departure_, &area_gradient_, &volume_gradient_}) {
