@@ -29,13 +29,14 @@ struct LineageArea {
     const T difference_square = larger(square_sum - R(2) * area_ratio, T(R(0)));
     T a = sum, ratio = T(R(1));
     for (int iteration = 0; iteration < 4; ++iteration) {
-      const T ratio_square_part = ratio * ratio * difference_square;
-      const T product = R(0.25) * (a * a - ratio_square_part);
+      const T turned = ratio * difference_square;
+      const T a_square = a * a, difference_part = ratio * turned;
+      const T product = R(0.25) * (a_square - difference_part);
       const T excess = product - clamp(product, T(p.least), T(p.largest));
-      // g = (s2, s1) has sum a and difference -ratio * difference.
-      const T moved = R(0.5) * ((a - sum) * a - (ratio - R(1)) * ratio * difference_square);  // g . (s - l)
-      const T length_square = R(0.5) * (a * a + ratio_square_part);                           // g . g
-      const T shift = (excess - moved) / larger(length_square, T(R(1e-30)));
+      // g = (s2, s1) has sum a and difference -ratio * difference: twice g . (s - l), and twice g . g.
+      const T moved = (a - sum) * a - (difference_part - turned);
+      const T length_square = a_square + difference_part;
+      const T shift = (R(2) * excess - moved) / larger(length_square, T(R(1e-30)));
       const T next_a = sum - shift * a;
       ratio = R(1) + shift * ratio;
       a = next_a;

@@ -28,6 +28,15 @@ bool Model::is_translation_invariant() const {
   return invariant;
 }
 
+bool Model::has_potential() const {
+  bool potential = true;
+  for_each_energy(CellEnergies{}, [&](auto tag) {
+    using E = typename decltype(tag)::type;
+    potential = potential && (E::exact_gradient || !cell_term<E>(*this));
+  });
+  return potential;
+}
+
 std::vector<std::string> Model::energy_names() const {
   std::vector<std::string> names;
   for_each_energy(ElementEnergies{}, [&](auto tag) {

@@ -93,6 +93,8 @@ struct Model {
   }
   bool has_cell_terms() const;
   bool is_viscous() const { return viscosity.shear > 0 || viscosity.dilatational > 0; }
+  /// Whether every force is the gradient of its energy; not so for the lineage's volume term.
+  bool has_potential() const;
   /// False where an energy holds vertices to fixed places: a rigid translation then costs energy.
   bool is_translation_invariant() const;
   /// Names of the energies that this model evaluates: of elements, of groups, of the cell, each in the order of its

@@ -254,8 +254,9 @@ std::vector<CpuBackend::StepKind<H>> CpuBackend::kinds_of_step(const SolverOptio
   std::vector<StepKind<H>> kinds;
   for (const bool past : {false, true}) {
     if (past && options.integrator != Integrator::bdf2) continue;
-    const StepSettings settings =
+    StepSettings settings =
         settings_from(options, past ? bdf2_differencing(options) : euler_differencing(options));
+    settings.leave_short = needs_newton(*model_, options, CellStatus::iteration_cap);
     for (int set = 0; set < static_cast<int>(mass_sets_.size()); ++set) {
       const FactorKey key = options.lineage
                                 ? FactorKey{options.time_step, -1, 1 + options.lineage_beta / options.time_step}
@@ -334,15 +335,45 @@ void CpuBackend::step(const SolverOptions& options) {
   const bool lone = options.lone_cells != 0;
   switch (options.precision) {
     case 0:
-      return step_in<double, double>(options, lone ? kernels_.lone_step_double : kernels_.step_double,
+      step_in<double, double>(options, lone ? kernels_.lone_step_double : kernels_.step_double,
                                      lone ? 1 : kernels_.double_lanes);
+      break;
     case 1:
-      return step_in<double, float>(options, lone ? kernels_.lone_step_mixed : kernels_.step_mixed,
+      step_in<double, float>(options, lone ? kernels_.lone_step_mixed : kernels_.step_mixed,
                                     lone ? 1 : kernels_.double_lanes);
+      break;
     default:
-      return step_in<float, float>(options, lone ? kernels_.lone_step_float : kernels_.step_float,
+      step_in<float, float>(options, lone ? kernels_.lone_step_float : kernels_.step_float,
                                    lone ? 1 : kernels_.float_lanes);
   }
+  if (!options.lineage) finish_by_newton(options);
+}
+
+/// Cells that the kernels could not bring to the tolerance have not moved; Newton's method takes their step.
+void CpuBackend::finish_by_newton(const SolverOptions& options) {
+  std::vector<int> left;
+  for (int cell = 0; cell < num_cells(); ++cell) {
+    if (needs_newton(*model_, options, reports_[static_cast<std::size_t>(cell)].status)) left.push_back(cell);
+  }
+  if (left.empty()) return;
+  SolverOptions newton_only = options;
+  newton_only.max_iterations = 0;
+  const auto pieces = static_cast<int>(left.size());
+  for_each_piece(pieces, thread_count(options.threads, pieces), [&](int piece, int) {
+    const int cell = left[static_cast<std::size_t>(piece)];
+    CellReport& report = reports_[static_cast<std::size_t>(cell)];
+    const CellReport before = report;
+    CellState state = cell_state(cell);
+    const double h = differencing(options, state).h;
+    const Eigen::Map<const Eigen::VectorXd> solid(model_->solid_mass.data(), model_->num_vertices());
+    const StepFactor factor(*model_, (solid + state.ambient_mass) / (h * h), {1, 1 / h}, patches_);
+    time_step(*model_, factor, patches_, newton_only, state);
+    report = state.report;
+    report.iterations += before.iterations;
+    report.hessian_iterations = before.hessian_iterations;
+    report.evaluations += before.evaluations;
+    put_cell_state(cell, state);
+  });
 }
 
 void CpuBackend::relax(const SolverOptions& options, const std::atomic<bool>& stop) {
@@ -354,10 +385,7 @@ void CpuBackend::relax(const SolverOptions& options, const std::atomic<bool>& st
     CellState state = cell_state(cell);
     relax_cell(*model_, factor, patches_, options, state);
     reports_[static_cast<std::size_t>(cell)] = state.report;
-    state_.write(Field::position, cell, numbers(state.position));
-    state_.write(Field::velocity, cell, numbers(state.velocity));
-    state_.write(Field::lag_velocity, cell, numbers(state.lag_velocity));
-    state_.write(Field::lag_acceleration, cell, numbers(state.lag_acceleration));
+    put_cell_state(cell, state);
   });
 }
 
@@ -371,10 +399,25 @@ CellState CpuBackend::cell_state(int cell) const {
   get(Field::position, state.position);
   get(Field::velocity, state.velocity);
   get(Field::external_force, state.external_force);
-  get(Field::tied_at, state.tied_at);
+  get(Field::ambient_velocity, state.ambient_velocity);
+  get(Field::held_force, state.held_force);
   get(Field::lag_velocity, state.lag_velocity);
   get(Field::lag_acceleration, state.lag_acceleration);
+  get(Field::tied_at, state.tied_at);
+  state.ambient_mass.resize(n);
+  state_.read(Field::ambient_mass, cell, {state.ambient_mass.data(), static_cast<std::size_t>(n)});
   return state;
+}
+
+/// What a step or a relaxation changes. Fields that are zero everywhere have no memory and stay so.
+void CpuBackend::put_cell_state(int cell, CellState& state) {
+  state_.write(Field::position, cell, numbers(state.position));
+  state_.write(Field::velocity, cell, numbers(state.velocity));
+  for (const auto& [field, values] : {std::pair{Field::held_force, &state.held_force},
+                                      {Field::lag_velocity, &state.lag_velocity},
+                                      {Field::lag_acceleration, &state.lag_acceleration}}) {
+    if (state_.has(field)) state_.write(field, cell, numbers(*values));
+  }
 }
 
 void CpuBackend::evaluate() {

@@ -47,6 +47,8 @@ class CpuBackend final : public Backend {
   std::vector<StepKind<H>> kinds_of_step(const SolverOptions& options);
   std::uint32_t lanes_of_kind(int first_cell, int cells, int mass_set, int has_past) const;
   CellState cell_state(int cell) const;
+  void put_cell_state(int cell, CellState& state);
+  void finish_by_newton(const SolverOptions& options);
   void find_contacts(int block, std::vector<double>& contacts);
 
   std::shared_ptr<const Model> model_;

@@ -124,6 +124,7 @@ PlanStorage<R>::PlanStorage(const Model& model, std::span<const int> order) {
   std::vector<int> place(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
 
+  plan_.has_potential = model.has_potential();
   plan_.is_translation_invariant = model.is_translation_invariant();
   plan_.num_vertices = model.num_vertices();
   plan_.rest = {static_cast<R>(model.rest.area), static_cast<R>(model.rest.volume)};
@@ -155,7 +156,6 @@ PlanStorage<R>::PlanStorage(const Model& model, std::span<const int> order) {
       auto& view = plan_.cell_terms.template of<E>();
       view.present = true;
       view.params = in_numbers_of<typename E::template Params<R>>(*params, double{}, R{});
-      plan_.has_potential = plan_.has_potential && E::exact_gradient;
       plan_.needs_area = plan_.needs_area || E::uses_area;
       plan_.needs_volume = plan_.needs_volume || E::uses_volume;
     }

@@ -21,6 +21,11 @@ Differencing differencing(const SolverOptions& options, const CellState& cell) {
   return euler_differencing(options);
 }
 
+bool needs_newton(const Model& model, const SolverOptions& options, CellStatus status) {
+  if (options.newton_iterations == 0) return false;
+  return has_failed(status) || (status == CellStatus::iteration_cap && model.has_potential());
+}
+
 void time_step(const Model& model, const StepFactor& factor, std::span<const Patch> patches,
                const SolverOptions& options, CellState& cell) {
   const double dt = options.time_step;
@@ -40,8 +45,8 @@ void time_step(const Model& model, const StepFactor& factor, std::span<const Pat
   VertexField displacement = drift, gradient(n, 3);
   const double tolerance = std::max(options.tolerance, attainable_residual(objective));
   cell.report = minimise(objective, factor, options, {options.max_iterations, tolerance}, displacement, gradient);
-  // A cell within residual_bound may go on as it is; one that would fail is worth Newton's price.
-  if (has_failed(cell.report.status)) finish_by_newton(objective, options, displacement, gradient, cell.report);
+  if (needs_newton(model, options, cell.report.status))
+    finish_by_newton(objective, options, displacement, gradient, cell.report);
   if (has_failed(cell.report.status)) return;
 
   // What residual force is left over has a mean, and the mean would be lost momentum. A rigid translation takes it out

@@ -24,6 +24,10 @@ Differencing bdf2_differencing(const SolverOptions& options);
 /// Euler, whose error of dt^2 keeps the second order of the whole.
 Differencing differencing(const SolverOptions& options, const CellState& cell);
 
+/// Whether a step that ended like this is worth Newton's price: one that would fail, and any other above its tolerance
+/// unless the forces have no potential, where Newton's method stalls as well.
+bool needs_newton(const Model& model, const SolverOptions& options, CellStatus status);
+
 /// One implicit step of one cell, alone or, by implicit Euler, in a fluid. A failed cell keeps its state.
 ///
 /// Two masses act on a vertex: its own m_s, and the mass m_f of the fluid that moves with it, which has the velocity u.

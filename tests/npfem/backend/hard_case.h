@@ -24,7 +24,7 @@ struct HardCase {
 };
 
 /// The back ends that must pass every case.
-inline const auto back_ends = ::testing::Values("reference");
+inline const auto back_ends = ::testing::Values("reference", "cpu");
 
 /// Fixture of a case, with the name of the back end as its parameter.
 class HardCaseTest : public ::testing::TestWithParam<const char*> {

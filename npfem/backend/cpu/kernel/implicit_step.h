@@ -41,7 +41,8 @@ class ImplicitStep {
     for (int l = 0; l < cells; ++l) {
       const bool takes_part = (task_.active >> l & 1u) != 0;
       if (takes_part) task_.block.report[task_.first_lane + l] = report_[l];
-      moves[l] = takes_part && !has_failed(report_[l].status);
+      const bool is_left = settings_.leave_short && report_[l].status == CellStatus::iteration_cap;
+      moves[l] = takes_part && !has_failed(report_[l].status) && !is_left;
     }
     finish(moves);
   }
@@ -229,9 +230,11 @@ class ImplicitStep {
       reach = larger(reach, magnitude(start_[i]));
       inertia = larger(inertia, inertia_[i]);
     }
-    const P attainable =
-        R(32) * epsilon<R> *
-        (Shape::largest(inertia) * Shape::largest(drift) + plan_.stiffest_diagonal * Shape::largest(reach));
+    // In single precision positions are about the cell's centre and rounding is not in the worst place everywhere.
+    const R ulps = sizeof(R) == 8 ? R(32) : R(2);
+    const P motion = Shape::largest(inertia) + plan_.viscous_diagonal * static_cast<R>(1 / settings_.lead);
+    const P attainable = ulps * epsilon<R> *
+                         (motion * Shape::largest(drift) + plan_.stiffest_diagonal * Shape::largest(reach));
     return larger(P(static_cast<R>(settings_.tolerance)), attainable);
   }
 
