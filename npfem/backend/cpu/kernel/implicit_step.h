@@ -37,9 +37,9 @@ class ImplicitStep {
     prepare();
     choose_matrix();
     minimise();
-    bool moves[cells];
+    bool moves[cells] = {};
     for (int l = 0; l < cells; ++l) {
-      const bool takes_part = (task_.active >> l & 1u) != 0;
+      const bool takes_part = (task_.active >> l & 1u) != 0 && !left_[l];
       if (takes_part) task_.block.report[task_.first_lane + l] = report_[l];
       const bool is_left = settings_.leave_short && report_[l].status == CellStatus::iteration_cap;
       moves[l] = takes_part && !has_failed(report_[l].status) && !is_left;
@@ -233,8 +233,8 @@ class ImplicitStep {
     // In single precision positions are about the cell's centre and rounding is not in the worst place everywhere.
     const R ulps = sizeof(R) == 8 ? R(32) : R(2);
     const P motion = Shape::largest(inertia) + plan_.viscous_diagonal * static_cast<R>(1 / settings_.lead);
-    const P attainable = ulps * epsilon<R> *
-                         (motion * Shape::largest(drift) + plan_.stiffest_diagonal * Shape::largest(reach));
+    const P attainable =
+        ulps * epsilon<R> * (motion * Shape::largest(drift) + plan_.stiffest_diagonal * Shape::largest(reach));
     return larger(P(static_cast<R>(settings_.tolerance)), attainable);
   }
 
@@ -291,7 +291,23 @@ class ImplicitStep {
       worst = residual(gradient_);
       stop(running, worst <= limit, CellStatus::converged, worst);
       leave_poor_guides(running, worst);
+      if (task_.left && is_waste(running.count())) {
+        for (int l = 0; l < cells; ++l) {
+          left_[l] = running[l];
+          *task_.left |= running[l] ? 1u << l : 0u;
+        }
+        return;
+      }
     }
+  }
+
+  /// Whether the cells still iterating are so few, and have been for so long, that starting them again among others
+  /// costs less than letting the whole pack wait for them.
+  bool is_waste(int running) {
+    ++rounds_;
+    if (running == 0 || 4 * running > cells) return false;
+    if (few_since_ == 0) few_since_ = rounds_;
+    return rounds_ - few_since_ >= 1 + few_since_ / 3;
   }
 
   /// A Hessian that still has not brought a cell's residual down after a few iterations is no better there than the
@@ -447,6 +463,8 @@ class ImplicitStep {
   P *start_, *inertia_, *drift_, *force_, *tied_, *last_move_, *here_, *there_, *gradient_, *trial_gradient_,
       *direction_, *position_, *area_gradient_, *volume_gradient_;
   P worst_before_;  // at the last judgement of the matrix, pN
+  int rounds_ = 0, few_since_ = 0;
+  bool left_[cells] = {};
   CellReport report_[cells];
 };
 
