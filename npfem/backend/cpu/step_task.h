@@ -10,12 +10,16 @@
 
 namespace npfem::cpu {
 
-/// L of a factor N = L D L^T by rows, strictly below the diagonal; each entry is a number, or a 3 x 3 block by rows.
+/// L of a factor N = L D L^T strictly below the diagonal, by rows for the way forward and by columns (L^T by rows) for
+/// the way back; each entry is a number, or a 3 x 3 block by rows.
 template <class H>
 struct FactorView {
   const int* row_start = nullptr;
   const int* column = nullptr;
   const H* value = nullptr;
+  const int* back_start = nullptr;
+  const int* back_column = nullptr;
+  const H* back_value = nullptr;
   const H* inverse_diagonal = nullptr;  ///< D^-1, a number or a block for each vertex
 };
 
