@@ -113,11 +113,11 @@ void SharedFactor::transpose() {
 }
 
 FactorView<double> SharedFactor::view(double) const {
-  return {row_start_.data(),  column_.data(),      value_.data(),           back_start_.data(),
+  return {row_start_.data(),   column_.data(),     value_.data(),           back_start_.data(),
           back_column_.data(), back_value_.data(), inverse_diagonal_.data()};
 }
 FactorView<float> SharedFactor::view(float) const {
-  return {row_start_.data(),  column_.data(),           value_float_.data(),           back_start_.data(),
+  return {row_start_.data(),   column_.data(),           value_float_.data(),           back_start_.data(),
           back_column_.data(), back_value_float_.data(), inverse_diagonal_float_.data()};
 }
 
