@@ -26,7 +26,7 @@ double measure_shape(const Model& model, std::string_view key, std::span<const d
   throw Error(Status::unknown_name,
               "no measure \"" + std::string(key) + "\"" +
                   text::suggestion(key, {"volume", "area", "extent_x", "extent_y", "extent_z", "centre_x", "centre_y",
-                                         "centre_z", "energy", "energy:<name>"}));
+                                         "centre_z", "evaluations", "hessian_iterations", "flops", "energy", "energy:<name>"}));
 }
 
 double measure_energy(const Model& model, std::string_view key, std::span<const double> energies) {
