@@ -126,12 +126,13 @@ Json describe_run(const BenchOptions& options, const bench::FmaPeak& peak) {
 
 void warn_when_busy(double load) {
   // This program is one of those that want a core.
-  if (load <= 0.5 + 1) return;
+  if (load <= 1.5) return;
   char line[160];
-  std::snprintf(line, sizeof line,
-                "npfem: the machine is busy (load %.1f on %d cores): times of one thread are processor time and hold to "
-                "some 20 %%, those of more threads do not",
-                load, bench::core_count());
+  std::snprintf(
+      line, sizeof line,
+      "npfem: the machine is busy (load %.1f on %d cores): times of one thread are processor time and hold to "
+      "some 20 %%, those of more threads do not",
+      load, bench::core_count());
   bench::say(line);
 }
 

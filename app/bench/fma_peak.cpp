@@ -21,15 +21,15 @@ struct Vector {
 };
 
 /// `madd(sum, factor)` on all chains, `rounds` times. What comes out depends on every operation.
-#define NPFEM_PEAK_LOOP(V, T, MADD)                          \
-  V sum[chains];                                             \
-  for (int k = 0; k < chains; ++k) sum[k] = V{} + T(k);      \
-  const V factor = V{} + T(0.999), term = V{} + T(1e-3);     \
-  for (int round = 0; round < rounds; ++round) {             \
-    for (int k = 0; k < chains; ++k) sum[k] = MADD;          \
-  }                                                          \
-  T total = 0;                                               \
-  for (int k = 0; k < chains; ++k) total += sum[k][0];       \
+#define NPFEM_PEAK_LOOP(V, T, MADD)                      \
+  V sum[chains];                                         \
+  for (int k = 0; k < chains; ++k) sum[k] = V{} + T(k);  \
+  const V factor = V{} + T(0.999), term = V{} + T(1e-3); \
+  for (int round = 0; round < rounds; ++round) {         \
+    for (int k = 0; k < chains; ++k) sum[k] = MADD;      \
+  }                                                      \
+  T total = 0;                                           \
+  for (int k = 0; k < chains; ++k) total += sum[k][0];   \
   return total
 
 template <class T>

@@ -23,7 +23,8 @@ Json recommended(const Json& work_precision) {
       known["us_per_simulated_us"] = 0.0, known["relative_error"] = 0.0;
     }
     // Mean time of the two scenarios (halved below); the worst error counts.
-    known["us_per_simulated_us"] = known["us_per_simulated_us"].get<double>() + row.at("us_per_simulated_us").get<double>();
+    known["us_per_simulated_us"] =
+        known["us_per_simulated_us"].get<double>() + row.at("us_per_simulated_us").get<double>();
     const double error = row.at("failed_cells") == 0 ? row.at("relative_error").get<double>() : 1e300;
     known["relative_error"] = std::max(known["relative_error"].get<double>(), error);
   }
@@ -53,14 +54,18 @@ Point2 point_of(const Json& row) {
 }  // namespace
 
 std::string plot_work_precision(const Json& work_precision) {
-  const std::vector<std::array<const char*, 3>> looks{
-      {"euler", "double", "#8c9aa8"}, {"euler", "mixed", "#c2ccd4"}, {"euler", "float", "#dcc9b0"},
-      {"bdf2", "double", "#1f5f8b"},  {"bdf2", "mixed", "#b3202c"},  {"bdf2", "float", "#d98a1f"}};
+  const std::vector<std::array<const char*, 3>> looks{{"euler", "double", "#8c9aa8"}, {"euler", "mixed", "#c2ccd4"},
+                                                      {"euler", "float", "#dcc9b0"},  {"bdf2", "double", "#1f5f8b"},
+                                                      {"bdf2", "mixed", "#b3202c"},   {"bdf2", "float", "#d98a1f"}};
   const Json best = recommended(work_precision);
   std::vector<Panel> panels;
   for (const char* scenario : {"stretch", "shear"}) {
-    Panel panel{std::string("red cell, 258 vertices: ") + scenario, "time per cell and simulated us (us)",
-                "largest error / largest displacement", {}, {}, "recommended"};
+    Panel panel{std::string("red cell, 258 vertices: ") + scenario,
+                "time per cell and simulated us (us)",
+                "largest error / largest displacement",
+                {},
+                {},
+                "recommended"};
     for (const auto& [integrator, precision, colour] : looks) {
       Series series{std::string(integrator) + ", " + precision, colour, {}};
       for (const Json& row : work_precision) {

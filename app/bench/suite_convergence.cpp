@@ -13,7 +13,7 @@ constexpr int steps = 10;
 
 /// A cell held at some length by forces on its two ends.
 struct HeldCell {
-  double force;  ///< pN, on each end
+  double force;   ///< pN, on each end
   double extent;  ///< um
   std::vector<double> position, loads;
 };
@@ -72,7 +72,9 @@ Json measure_row(const std::string& material, const api::Model& model, const Hel
           {"extent_um", held.extent},
           {"force_pN", held.force},
           {"time_step_us", setting.time_step},
-          {"matrix", setting.matrix == 1 ? "scalar" : setting.matrix == 2 ? "hessian" : "chosen"},
+          {"matrix", setting.matrix == 1   ? "scalar"
+                     : setting.matrix == 2 ? "hessian"
+                                           : "chosen"},
           {"tolerance_pN", setting.tolerance},
           {"iterations", m.iterations},
           {"evaluations", m.evaluations},

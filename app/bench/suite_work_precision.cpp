@@ -11,9 +11,9 @@
 namespace npfem::app::bench {
 namespace {
 
-constexpr int timed_cells = 16;       ///< fills the SIMD lanes in any precision
-constexpr double sample_every = 20;   ///< us; a multiple of every time step
-constexpr double switching_time = 80; ///< us
+constexpr int timed_cells = 16;        ///< fills the SIMD lanes in any precision
+constexpr double sample_every = 20;    ///< us; a multiple of every time step
+constexpr double switching_time = 80;  ///< us
 constexpr int reference_refinement = 16;
 
 struct Scenario {
@@ -34,7 +34,7 @@ double pulse(double t) {
   return s * s * s * s;
 }
 
-const Scenario scenarios[] = {{"stretch", stretching_loads, 60, switched_on}, {"shear", shearing_loads, 60, pulse}};
+const Scenario scenarios[] = {{"stretch", stretching_loads, 15, switched_on}, {"shear", shearing_loads, 60, pulse}};
 
 /// A cell at its equilibrium without loads.
 struct RestingCell {
@@ -57,7 +57,7 @@ struct Motion {
   std::vector<std::vector<double>> samples;  ///< positions of the first cell every `sample_every`
   double us_per_simulated_us = 0;            ///< of one cell
   double iterations = 0;                     ///< per step
-  double extent = 0;                         ///< at the end, um
+  std::vector<double> extents;               ///< along x at the samples, um
   int failed_cells = 0;
 };
 
@@ -73,7 +73,8 @@ Motion run(const RestingCell& cell, const Scenario& scenario, const Setting& set
   restore(batch, start);
 
   Motion motion;
-  const auto steps = std::lround(duration / setting.time_step), per_sample = std::lround(sample_every / setting.time_step);
+  const auto steps = std::lround(duration / setting.time_step),
+             per_sample = std::lround(sample_every / setting.time_step);
   std::vector<double> loads(full.size() * static_cast<std::size_t>(cells)), position(cell.position.size());
   double us = 0;
   for (long s = 1; s <= steps; ++s) {
@@ -88,10 +89,10 @@ Motion run(const RestingCell& cell, const Scenario& scenario, const Setting& set
     if (s % per_sample != 0) continue;
     batch.read("position", 0, 1, position);
     motion.samples.push_back(position);
+    motion.extents.push_back(batch.measure("extent_x")[0]);
   }
   motion.us_per_simulated_us = us / (duration * cells);
   motion.iterations /= static_cast<double>(steps);
-  motion.extent = batch.measure("extent_x")[0];
   return motion;
 }
 
@@ -159,27 +160,38 @@ void add_time_study(const Plan& plan, const RestingCell& cell, const Scenario& s
   }
 }
 
-/// Extent at the end of the stretch on coarser meshes against the finest.
+/// How much longer the cell has become at each sample, um.
+std::vector<double> growth_of(const RestingCell& cell, const Motion& motion) {
+  double least = 0, largest = 0;
+  for (std::size_t i = 0; i < cell.position.size(); i += 3) {
+    least = std::min(least, cell.position[i]);
+    largest = std::max(largest, cell.position[i]);
+  }
+  std::vector<double> growth;
+  for (const double extent : motion.extents) growth.push_back(extent - (largest - least));
+  return growth;
+}
+
+/// Growth of the stretched cell on coarser meshes against that on the finest: largest difference at any sample over
+/// the largest growth.
 void add_mesh_study(const Plan& plan, Json& results) {
   const std::vector<int> meshes = plan.quick ? std::vector<int>{66, 258} : std::vector<int>{66, 258, 1026, 4098};
   const double duration = plan.quick ? 20 : 160;
   Setting setting;
-  setting.integrator = 1, setting.tolerance = 1e-2, setting.time_step = 1;
-  double finest = 0, finest_growth = 0;
-  for (auto vertices = meshes.rbegin(); vertices != meshes.rend(); ++vertices) {
-    const RestingCell cell = resting_cell(*vertices);
-    const bool is_finest = vertices == meshes.rbegin();
-    setting.lone_cells = is_finest;
-    const Motion motion = run(cell, scenarios[0], setting, is_finest ? 1 : timed_cells, duration);
-    api::Batch still(cell.model, "cpu", 1);
-    still.write("position", 0, 1, cell.position);
-    const double growth = motion.extent - still.measure("extent_x")[0];
-    if (is_finest) finest = motion.extent, finest_growth = growth;
-    if (is_finest) continue;
-    const double error = std::abs(growth - finest_growth) / std::abs(finest_growth);
-    results.push_back(row_of(scenarios[0], "mesh", *vertices, setting, motion, error));
-    results.back()["extent_um"] = motion.extent;
-    results.back()["extent_on_finest_mesh_um"] = finest;
+  setting.integrator = 1, setting.time_step = 1;
+  setting.tolerance = 1e-4;  // forces on the vertices of fine meshes are small
+  setting.lone_cells = true;
+  const RestingCell fine_cell = resting_cell(meshes.back());
+  const std::vector<double> finest = growth_of(fine_cell, run(fine_cell, scenarios[0], setting, 1, duration));
+  const double most = *std::max_element(finest.begin(), finest.end());
+  setting.lone_cells = false;
+  for (std::size_t k = 0; k + 1 < meshes.size(); ++k) {
+    const RestingCell cell = resting_cell(meshes[k]);
+    const Motion motion = run(cell, scenarios[0], setting, timed_cells, duration);
+    const std::vector<double> growth = growth_of(cell, motion);
+    double error = 0;
+    for (std::size_t i = 0; i < growth.size(); ++i) error = std::max(error, std::abs(growth[i] - finest[i]) / most);
+    results.push_back(row_of(scenarios[0], "mesh", meshes[k], setting, motion, error));
     report(results.back());
   }
 }
@@ -195,11 +207,12 @@ Json measure_work_precision(const Plan& plan) {
   if (best.is_null()) {
     std::printf("no setting keeps the error below 1 %% of the motion in both scenarios\n");
   } else {
-    std::printf("recommended: integrator %s, time step %g us, tolerance %g pN, precision %s: %.3g us per simulated us, "
-                "error %.2g of the motion\n",
-                best["integrator"].get<std::string>().c_str(), best["time_step_us"].get<double>(),
-                best["tolerance_pN"].get<double>(), best["precision"].get<std::string>().c_str(),
-                best["us_per_simulated_us"].get<double>(), best["relative_error"].get<double>());
+    std::printf(
+        "recommended: integrator %s, time step %g us, tolerance %g pN, precision %s: %.3g us per simulated us, "
+        "error %.2g of the motion\n",
+        best["integrator"].get<std::string>().c_str(), best["time_step_us"].get<double>(),
+        best["tolerance_pN"].get<double>(), best["precision"].get<std::string>().c_str(),
+        best["us_per_simulated_us"].get<double>(), best["relative_error"].get<double>());
   }
   return results;
 }

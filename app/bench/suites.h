@@ -13,11 +13,11 @@ namespace npfem::app::bench {
 using Json = nlohmann::ordered_json;
 
 struct Plan {
-  bool quick = false;            ///< a few rows, for a test of the program
-  std::vector<int> meshes;       ///< vertices
-  std::vector<int> batches;      ///< cells
+  bool quick = false;        ///< a few rows, for a test of the program
+  std::vector<int> meshes;   ///< vertices
+  std::vector<int> batches;  ///< cells
   std::vector<int> threads;
-  std::vector<int> precisions;   ///< indices in precision_names
+  std::vector<int> precisions;  ///< indices in precision_names
   FmaPeak peak;
 };
 

@@ -73,7 +73,7 @@ class Batch {
   std::unique_ptr<Backend> backend_;
   SolverOptions options_;
   std::vector<Patch> patches_;
-  bool energies_are_current_ = false;  ///< no cell has moved since evaluate()
+  bool energies_are_current_ = false;                 ///< no cell has moved since evaluate()
   mutable std::optional<OperationCount> operations_;  ///< of the model; counted when first asked for
   std::atomic<bool> stop_{false};
 };
