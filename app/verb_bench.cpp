@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <iostream>
@@ -124,6 +125,32 @@ Json describe_run(const BenchOptions& options, const bench::FmaPeak& peak) {
           {"date", date()}};
 }
 
+/// Five digits: a measurement has no more.
+void round_numbers(Json& json) {
+  if (json.is_number_float()) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.5g", json.get<double>());
+    json = std::strtod(digits, nullptr);
+  } else if (json.is_structured()) {
+    for (Json& part : json) round_numbers(part);
+  }
+}
+
+/// One line for each row of the results.
+std::string to_text(const Json& report) {
+  Json rounded = report;
+  round_numbers(rounded);
+  std::string text = "{\n";
+  for (const auto& [key, value] : rounded.items()) {
+    if (key == "results") continue;
+    text += Json(key).dump() + ": " + value.dump() + ",\n";
+  }
+  text += "\"results\": [";
+  for (std::size_t i = 0; i < rounded["results"].size(); ++i)
+    text += (i == 0 ? "\n" : ",\n") + rounded["results"][i].dump();
+  return text + "\n]\n}\n";
+}
+
 void warn_when_busy(double load) {
   // This program is one of those that want a core.
   if (load <= 1.5) return;
@@ -156,7 +183,7 @@ int run_suite(const BenchOptions& options) {
   report["machine"]["load_at_end"] = bench::load_average();
   warn_when_busy(bench::load_average());
   if (!options.plot.empty()) text::write_file(options.plot, bench::plot_work_precision(report["results"]));
-  if (!options.json.empty()) text::write_file(options.json, report.dump(1) + "\n");
+  if (!options.json.empty()) text::write_file(options.json, to_text(report));
   return done;
 }
 

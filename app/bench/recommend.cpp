@@ -58,13 +58,10 @@ std::string plot_work_precision(const Json& work_precision) {
                                                       {"euler", "float", "#dcc9b0"},  {"bdf2", "double", "#1f5f8b"},
                                                       {"bdf2", "mixed", "#b3202c"},   {"bdf2", "float", "#d98a1f"}};
   const Json best = recommended(work_precision);
+  const std::string cell = "red cell, " + work_precision.at(0).at("mesh").dump() + " vertices: ";
   std::vector<Panel> panels;
   for (const char* scenario : {"stretch", "shear"}) {
-    Panel panel{std::string("red cell, 258 vertices: ") + scenario,
-                "time per cell and simulated us (us)",
-                "largest error / largest displacement",
-                {},
-                {},
+    Panel panel{cell + scenario, "time per cell and simulated us (us)", "largest error / largest displacement", {}, {},
                 "recommended"};
     for (const auto& [integrator, precision, colour] : looks) {
       Series series{std::string(integrator) + ", " + precision, colour, {}};
