@@ -49,7 +49,7 @@ api::Batch make_batch(const api::Model& model, const Setting& setting, int cells
   batch.set("threads", setting.threads);
   batch.set("matrix", setting.matrix);
   batch.set("lone_cells", setting.lone_cells ? 1 : 0);
-  if (setting.to_the_end) batch.set("max_iterations", 50000);
+  if (setting.to_the_end) batch.set("max_iterations", 5000);
   if (!setting.lineage) return batch;
   batch.set("method", std::string("lineage"));
   batch.set("lineage_beta", 0.01);

@@ -24,8 +24,8 @@ struct Setting {
   bool lone_cells = false;
   double time_step = 0.25;  ///< us
   double tolerance = 1e-4;  ///< pN
-  bool to_the_end = false;  ///< for a solution to compare with: no cap on iterations; the lineage makes 30, whatever
-                            ///< it thinks of its objective
+  bool to_the_end = false;  ///< for a solution to compare with: 5000 iterations are allowed; the lineage makes 30,
+                            ///< whatever it thinks of its objective
 };
 
 /// The red cell of a preset on a mesh of 66, 258, 1026 or 4098 vertices; one without a mass gets 400 fg/um2, about that
