@@ -138,7 +138,8 @@ class Batch(Parameterised):
 
     def measure(self, key):
         """One number per cell: "volume" um3, "area" um2, "extent_x" "extent_y" "extent_z" um, "centre_x" "centre_y"
-        "centre_z" um, "energy" pN um, "energy:<name>" pN um for one of `energies`."""
+        "centre_z" um, "energy" pN um, "energy:<name>" pN um for one of `energies`; of the last step
+        "evaluations", "hessian_iterations" and "flops"."""
         return self._per_cell("npfem_batch_measure", "d", key.encode())
 
     @property
