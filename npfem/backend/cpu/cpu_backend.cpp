@@ -3,29 +3,10 @@
 
 #include <algorithm>
 
-#include "backend/cpu/threads.h"
-#include "backend/reference/elasticity.h"
-#include "backend/reference/lineage_contacts.h"
 #include "backend/reference/relax.h"
-#include "backend/reference/time_step.h"
 
 namespace npfem::cpu {
 namespace {
-
-/// `differencing`: of a cell with a past, or of one without (see reference/time_step.h).
-StepSettings settings_from(const SolverOptions& o, const Differencing& differencing) {
-  StepSettings s{};
-  s.time_step = o.time_step, s.lead = differencing.h, s.past = differencing.past;
-  s.looks_back = o.integrator == Integrator::bdf2;
-  s.tolerance = o.tolerance, s.residual_bound = o.residual_bound;
-  s.max_iterations = o.max_iterations, s.history = o.history, s.max_line_search = o.max_line_search;
-  s.matrix = o.matrix;
-  s.lineage = o.lineage;
-  s.lineage_alpha = o.lineage_alpha, s.lineage_beta = o.lineage_beta, s.lineage_tolerance = o.lineage_tolerance;
-  s.lineage_window = o.lineage_window, s.lineage_attempts = o.lineage_attempts;
-  s.lineage_armijo = o.lineage_armijo, s.lineage_curvature = o.lineage_curvature;
-  return s;
-}
 
 std::vector<double> solid_mass_in(std::span<const int> order, const Model& model) {
   std::vector<double> mass;
@@ -66,28 +47,6 @@ std::vector<int> energy_places(const Model& model) {
 std::span<double> numbers(VertexField& field) {
   return {field.data(), static_cast<std::size_t>(field.size())};
 }
-
-/// The patches in the kernels' numbers.
-template <class R>
-class PatchViews {
- public:
-  PatchViews(std::span<const Patch> patches, std::span<const int> order) {
-    std::vector<int> place(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
-    vertices_.reserve(patches.size());
-    for (const Patch& patch : patches) {
-      auto& vertices = vertices_.emplace_back();
-      for (const int v : patch.vertices) vertices.push_back(place[static_cast<std::size_t>(v)]);
-      views_.push_back({static_cast<int>(vertices.size()), vertices.data(), static_cast<R>(patch.stiffness)});
-    }
-  }
-  const PatchView<R>* data() const { return views_.data(); }
-  int count() const { return static_cast<int>(views_.size()); }
-
- private:
-  std::vector<std::vector<int>> vertices_;
-  std::vector<PatchView<R>> views_;
-};
 
 }  // namespace
 
@@ -201,179 +160,20 @@ const LineageFactors& CpuBackend::lineage_factors(double time_step, double beta)
   return *lineage_factors_;
 }
 
-CellBlock CpuBackend::block_of(int block) {
+CellBlock CpuBackend::block_of(StateBlocks& state, std::vector<CellReport>& reports, int block) const {
   CellBlock b;
-  b.stride = state_.lanes();
-  b.position = state_.block(Field::position, block);
-  b.velocity = state_.block(Field::velocity, block);
-  b.external_force = state_.block(Field::external_force, block);
-  b.ambient_velocity = state_.block(Field::ambient_velocity, block);
-  b.ambient_mass = state_.block(Field::ambient_mass, block);
-  b.held_force = state_.block(Field::held_force, block);
-  b.lag_velocity = state_.block(Field::lag_velocity, block);
-  b.lag_acceleration = state_.block(Field::lag_acceleration, block);
-  b.tied_at = patches_.empty() ? nullptr : state_.block(Field::tied_at, block);
-  b.report = reports_.data() + static_cast<std::ptrdiff_t>(block) * state_.lanes();
+  b.stride = state.lanes();
+  b.position = state.block(Field::position, block);
+  b.velocity = state.block(Field::velocity, block);
+  b.external_force = state.block(Field::external_force, block);
+  b.ambient_velocity = state.block(Field::ambient_velocity, block);
+  b.ambient_mass = state.block(Field::ambient_mass, block);
+  b.held_force = state.block(Field::held_force, block);
+  b.lag_velocity = state.block(Field::lag_velocity, block);
+  b.lag_acceleration = state.block(Field::lag_acceleration, block);
+  b.tied_at = patches_.empty() ? nullptr : state.block(Field::tied_at, block);
+  b.report = reports.data() + static_cast<std::ptrdiff_t>(block) * state.lanes();
   return b;
-}
-
-/// For each vertex of a block the nearest obstacle point within its threshold: the plane's point (3), its normal (3)
-/// and the weight, 0 where there is none.
-void CpuBackend::find_contacts(int block, std::vector<double>& contacts) {
-  const int n = model_->num_vertices(), lanes = state_.lanes();
-  contacts.assign(static_cast<std::size_t>(7 * n * lanes), 0.0);
-  const double* const position = state_.block(Field::position, block);
-  const auto at = [lanes](int row, int lane) { return static_cast<std::size_t>(row * lanes + lane); };
-  for (int lane = 0; lane < lanes; ++lane) {
-    for (int v = 0; v < n; ++v) {
-      const Point x{position[at(3 * v, lane)], position[at(3 * v + 1, lane)], position[at(3 * v + 2, lane)]};
-      const NearestObstacle nearest = nearest_obstacle(obstacles_, x);
-      if (!nearest.obstacle || nearest.distance > nearest.obstacle->threshold) continue;
-      const LineageObstacle& o = *nearest.obstacle;
-      for (int c = 0; c < 3; ++c) {
-        const auto axis = static_cast<std::size_t>(c);
-        contacts[at(7 * v + c, lane)] = o.target[axis] + o.stand_off * o.normal[axis];
-        contacts[at(7 * v + 3 + c, lane)] = o.normal[axis];
-      }
-      contacts[at(7 * v + 6, lane)] = o.weight;
-    }
-  }
-}
-
-/// What the cells of one kind share in a step: all those with the same masses, with or without a past.
-template <class H>
-struct CpuBackend::StepKind {
-  StepSettings settings;
-  StepMatrices<H> matrices;
-  int mass_set;
-  bool has_past;
-};
-
-template <class H>
-std::vector<CpuBackend::StepKind<H>> CpuBackend::kinds_of_step(const SolverOptions& options) {
-  std::vector<StepKind<H>> kinds;
-  for (const bool past : {false, true}) {
-    if (past && options.integrator != Integrator::bdf2) continue;
-    StepSettings settings =
-        settings_from(options, past ? bdf2_differencing(options) : euler_differencing(options));
-    settings.leave_short = needs_newton(*model_, options, CellStatus::iteration_cap);
-    for (int set = 0; set < static_cast<int>(mass_sets_.size()); ++set) {
-      const FactorKey key = options.lineage
-                                ? FactorKey{options.time_step, -1, 1 + options.lineage_beta / options.time_step}
-                                : FactorKey{settings.lead, set, 1};
-      const bool with_hessian = !options.lineage && options.matrix != 1;
-      kinds.push_back({settings, factors(key, with_hessian).template view<H>(), set, past});
-    }
-  }
-  return kinds;
-}
-
-template <class R, class H>
-void CpuBackend::step_in(const SolverOptions& options, void (*kernel)(const StepTask<R, H>&), int cells_per_call) {
-  const CellPlan<R>& cell_plan = plan<R>();
-  const std::vector<StepKind<H>> kinds = kinds_of_step<H>(options);
-  LineageMatrices<R> lineage;
-  if (options.lineage) lineage = lineage_factors(options.time_step, options.lineage_beta).view(R{});
-  const PatchViews<R> patches(patches_, state_.order());
-
-  const std::size_t bytes = kernels_.workspace_bytes(cell_plan.num_vertices, options.history);
-  const int threads = thread_count(options.threads, state_.num_blocks());
-  std::vector<AlignedVector<char>> workspaces(static_cast<std::size_t>(threads));
-  std::vector<std::vector<double>> contacts(static_cast<std::size_t>(threads));
-  for_each_piece(state_.num_blocks(), threads, [&](int block, int thread) {
-    const auto t = static_cast<std::size_t>(thread);
-    if (workspaces[t].empty()) workspaces[t].resize(bytes);
-    StepTask<R, H> task{};
-    task.plan = &cell_plan;
-    task.lineage = &lineage;
-    task.patches = patches.data();
-    task.num_patches = patches.count();
-    task.solid_mass = solid_mass_.data();
-    task.rest_shape = rest_shape_.data();
-    task.block = block_of(block);
-    task.workspace = workspaces[t].data();
-    if (options.lineage && !obstacles_.empty()) {
-      find_contacts(block, contacts[t]);
-      task.block.contact = contacts[t].data();
-    }
-    for (task.first_lane = 0; task.first_lane < state_.lanes(); task.first_lane += cells_per_call) {
-      // Which lanes are of which kind is found before any of them moves.
-      std::vector<std::uint32_t> lanes;
-      for (const auto& kind : kinds)
-        lanes.push_back(lanes_of_kind(block * state_.lanes() + task.first_lane, cells_per_call, kind.mass_set,
-                                      kinds.size() > mass_sets_.size() ? int{kind.has_past} : -1));
-      for (std::size_t k = 0; k < kinds.size(); ++k) {
-        task.active = lanes[k];
-        task.settings = &kinds[k].settings;
-        task.matrices = &kinds[k].matrices;
-        if (task.active != 0) kernel(task);
-      }
-    }
-  });
-}
-
-/// Bits of the lanes whose cells have the given masses and, unless it is -1, a past or none.
-std::uint32_t CpuBackend::lanes_of_kind(int first_cell, int cells, int mass_set, int has_past) const {
-  std::uint32_t lanes = 0;
-  for (int l = 0; l < cells && first_cell + l < num_cells(); ++l) {
-    const int cell = first_cell + l;
-    if (mass_set_of_[static_cast<std::size_t>(cell)] != mass_set) continue;
-    const bool started =
-        has_past >= 0 && !(state_.is_zero(Field::lag_velocity, cell) && state_.is_zero(Field::lag_acceleration, cell));
-    if (has_past >= 0 && started != (has_past == 1)) continue;
-    lanes |= 1u << l;
-  }
-  return lanes;
-}
-
-void CpuBackend::step(const SolverOptions& options) {
-  find_mass_sets();
-  if (options.integrator == Integrator::bdf2) {
-    state_.require(Field::lag_velocity);
-    state_.require(Field::lag_acceleration);
-  }
-  const bool lone = options.lone_cells != 0;
-  switch (options.precision) {
-    case 0:
-      step_in<double, double>(options, lone ? kernels_.lone_step_double : kernels_.step_double,
-                                     lone ? 1 : kernels_.double_lanes);
-      break;
-    case 1:
-      step_in<double, float>(options, lone ? kernels_.lone_step_mixed : kernels_.step_mixed,
-                                    lone ? 1 : kernels_.double_lanes);
-      break;
-    default:
-      step_in<float, float>(options, lone ? kernels_.lone_step_float : kernels_.step_float,
-                                   lone ? 1 : kernels_.float_lanes);
-  }
-  if (!options.lineage) finish_by_newton(options);
-}
-
-/// Cells that the kernels could not bring to the tolerance have not moved; Newton's method takes their step.
-void CpuBackend::finish_by_newton(const SolverOptions& options) {
-  std::vector<int> left;
-  for (int cell = 0; cell < num_cells(); ++cell) {
-    if (needs_newton(*model_, options, reports_[static_cast<std::size_t>(cell)].status)) left.push_back(cell);
-  }
-  if (left.empty()) return;
-  SolverOptions newton_only = options;
-  newton_only.max_iterations = 0;
-  const auto pieces = static_cast<int>(left.size());
-  for_each_piece(pieces, thread_count(options.threads, pieces), [&](int piece, int) {
-    const int cell = left[static_cast<std::size_t>(piece)];
-    CellReport& report = reports_[static_cast<std::size_t>(cell)];
-    const CellReport before = report;
-    CellState state = cell_state(cell);
-    const double h = differencing(options, state).h;
-    const Eigen::Map<const Eigen::VectorXd> solid(model_->solid_mass.data(), model_->num_vertices());
-    const StepFactor factor(*model_, (solid + state.ambient_mass) / (h * h), {1, 1 / h}, patches_);
-    time_step(*model_, factor, patches_, newton_only, state);
-    report = state.report;
-    report.iterations += before.iterations;
-    report.hessian_iterations = before.hessian_iterations;
-    report.evaluations += before.evaluations;
-    put_cell_state(cell, state);
-  });
 }
 
 void CpuBackend::relax(const SolverOptions& options, const std::atomic<bool>& stop) {
@@ -423,13 +223,17 @@ void CpuBackend::put_cell_state(int cell, CellState& state) {
 void CpuBackend::evaluate() {
   state_.require(Field::elastic_force);
   const CellPlan<double>& cell_plan = plan<double>();
-  const std::size_t bytes = kernels_.workspace_bytes(cell_plan.num_vertices, 0);
+  const std::size_t bytes = kernels_.workspace_bytes(cell_plan.num_vertices, 0, 0);
   const std::vector<int> places = energy_places(*model_);
   AlignedVector<char> workspace(bytes);
   std::vector<double> energies(static_cast<std::size_t>(num_energies * state_.lanes()));
   for (int block = 0; block < state_.num_blocks(); ++block) {
-    EvaluateTask<double> task{&cell_plan,      block_of(block), 0, state_.block(Field::elastic_force, block),
-                              energies.data(), workspace.data()};
+    EvaluateTask<double> task{&cell_plan,
+                              block_of(state_, reports_, block),
+                              0,
+                              state_.block(Field::elastic_force, block),
+                              energies.data(),
+                              workspace.data()};
     for (; task.first_lane < state_.lanes(); task.first_lane += kernels_.double_lanes) kernels_.evaluate(task);
     for (int lane = 0; lane < state_.lanes() && block * state_.lanes() + lane < num_cells(); ++lane) {
       const auto cell = static_cast<std::size_t>(block * state_.lanes() + lane);

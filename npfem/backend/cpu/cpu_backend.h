@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "backend/backend.h"
 #include "backend/cpu/plan_storage.h"
 #include "backend/cpu/state_blocks.h"
 #include "backend/cpu/step_factors.h"
+#include "backend/cpu/threads.h"
 #include "backend/reference/cell_state.h"
 
 namespace npfem::cpu {
@@ -33,23 +35,46 @@ class CpuBackend final : public Backend {
   std::span<const double> energies(int cell) const override;
 
  private:
+  template <class H>
+  struct StepKind;
+  template <class R, class H>
+  struct StepPlan;
+
+  /// What a thread keeps from step to step, so that a step allocates nothing.
+  struct ThreadScratch {
+    AlignedVector<char> workspace;
+    std::vector<double> contacts;
+    std::vector<int> left;  ///< cells that left their pack
+  };
+  /// One block of cells to step, the kind of each, and whether one may leave when few of its pack still iterate.
+  struct BlockOfCells {
+    CellBlock block;
+    int first_cell;
+    std::span<const int> kinds;
+    bool may_leave;
+  };
+
   template <class R>
   const CellPlan<R>& plan();
   void find_mass_sets();
-  CellBlock block_of(int block);
-  template <class R, class H>
-  void step_in(const SolverOptions& options, void (*kernel)(const StepTask<R, H>&), int cells_per_call);
   const StepFactors& factors(const FactorKey& key, bool with_hessian);
   const LineageFactors& lineage_factors(double time_step, double beta);
-  template <class H>
-  struct StepKind;
-  template <class H>
-  std::vector<StepKind<H>> kinds_of_step(const SolverOptions& options);
-  std::uint32_t lanes_of_kind(int first_cell, int cells, int mass_set, int has_past) const;
+  CellBlock block_of(StateBlocks& state, std::vector<CellReport>& reports, int block) const;
   CellState cell_state(int cell) const;
   void put_cell_state(int cell, CellState& state);
+
+  template <class H>
+  std::vector<StepKind<H>> kinds_of_step(const SolverOptions& options);
+  /// Index of a cell's kind: its masses, and with `by_past` whether it has a past.
+  int kind_of(int cell, bool by_past) const;
+  void find_contacts(const CellBlock& block, std::vector<double>& contacts) const;
+  template <class R, class H>
+  void step_in(const SolverOptions& options, void (*kernel)(const StepTask<R, H>&), int cells_per_call);
+  template <class R, class H>
+  void step_block(const StepPlan<R, H>& step, const BlockOfCells& cells, ThreadScratch& scratch);
+  template <class R, class H>
+  void step_stragglers(const StepPlan<R, H>& step, int threads);
   void finish_by_newton(const SolverOptions& options);
-  void find_contacts(int block, std::vector<double>& contacts);
 
   std::shared_ptr<const Model> model_;
   const KernelTable& kernels_;
@@ -69,6 +94,14 @@ class CpuBackend final : public Backend {
   std::unique_ptr<RestHessian> rest_hessian_;
   std::vector<std::unique_ptr<StepFactors>> factors_;
   std::unique_ptr<LineageFactors> lineage_factors_;
+
+  std::vector<int> kinds_;  // by cell, of the step being taken
+  std::vector<ThreadScratch> scratch_;
 };
+
+template <>
+const CellPlan<double>& CpuBackend::plan();
+template <>
+const CellPlan<float>& CpuBackend::plan();
 
 }  // namespace npfem::cpu

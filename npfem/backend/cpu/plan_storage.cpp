@@ -42,14 +42,58 @@ bool same_bits(const T* a, const std::vector<T>& b) {
   return std::memcmp(a, b.data(), b.size() * sizeof(T)) == 0;
 }
 
-/// Plain vertex numbers of the elements of a block, in the kernels' numbering.
-template <class E>
-std::vector<int> vertices_of(const ElementBlock<E>& block, std::span<const int> place) {
+/// Plain vertex numbers of elements, in the kernels' numbering.
+template <class Elements>
+std::vector<int> vertices_of(const Elements& elements, std::span<const int> place) {
   std::vector<int> vertices;
-  for (const auto& element : block.vertices) {
+  for (const auto& element : elements) {
     for (const int v : element) vertices.push_back(place[static_cast<std::size_t>(v)]);
   }
   return vertices;
+}
+
+/// Vertices by when a walk that spreads from vertex 0 over the neighbours (those with a common weight) meets them.
+std::vector<int> breadth_first_rank(const Model& model) {
+  const int n = model.num_vertices();
+  std::vector<int> rank(static_cast<std::size_t>(n), -1);
+  int next = 0;
+  for (int start = 0; start < n; ++start) {
+    if (rank[static_cast<std::size_t>(start)] >= 0) continue;
+    std::vector<int> front{start};
+    rank[static_cast<std::size_t>(start)] = next++;
+    for (std::size_t k = 0; k < front.size(); ++k) {
+      for (Eigen::SparseMatrix<double>::InnerIterator neighbour(model.weight, front[k]); neighbour; ++neighbour) {
+        int& met = rank[static_cast<std::size_t>(neighbour.row())];
+        if (met >= 0) continue;
+        met = next++;
+        front.push_back(static_cast<int>(neighbour.row()));
+      }
+    }
+  }
+  return rank;
+}
+
+/// An order of the elements in which those that share vertices follow each other closely: what one has brought into the
+/// first cache serves the next.
+template <class Elements>
+std::vector<std::size_t> walk(const Elements& elements, std::span<const int> rank) {
+  std::vector<std::pair<int, std::size_t>> last;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    int most = 0;
+    for (const int v : elements[e]) most = std::max(most, rank[static_cast<std::size_t>(v)]);
+    last.emplace_back(most, e);
+  }
+  std::sort(last.begin(), last.end());
+  std::vector<std::size_t> order;
+  for (const auto& entry : last) order.push_back(entry.second);
+  return order;
+}
+
+template <class T>
+std::vector<T> in_order(const std::vector<T>& values, std::span<const std::size_t> order) {
+  std::vector<T> sorted;
+  for (const std::size_t k : order) sorted.push_back(values[k]);
+  return sorted;
 }
 
 }  // namespace
@@ -67,9 +111,10 @@ template <class E>
 void PlanStorage<R>::add_membrane(const Model& model, std::span<const int> place) {
   const ElementBlock<E>& block = model.block<E>();
   if (block.size() == 0) return;
-  const std::vector<int> vertices = vertices_of(block, place);
-  const auto rest = all_in_numbers_of<TriangleRest<R>, R>(block.rest);
-  auto params = all_in_numbers_of<typename E::template Params<R>, R>(block.params);
+  const auto order = walk(block.vertices, rank_);
+  const std::vector<int> vertices = vertices_of(in_order(block.vertices, order), place);
+  const auto rest = all_in_numbers_of<TriangleRest<R>, R>(in_order(block.rest, order));
+  auto params = all_in_numbers_of<typename E::template Params<R>, R>(in_order(block.params, order));
   const bool uniform =
       std::all_of(params.begin(), params.end(), [&](const auto& p) { return same_bits(p, params[0]); });
   ParamView<E, R> law{keep(std::move(params)), uniform ? 0 : 1};
@@ -94,13 +139,15 @@ template <class E>
 void PlanStorage<R>::add_elements(const Model& model, std::span<const int> place) {
   const ElementBlock<E>& block = model.block<E>();
   if (block.size() == 0) return;
-  auto params = all_in_numbers_of<typename E::template Params<R>, R>(block.params);
+  const auto order = walk(block.vertices, rank_);
+  auto params = all_in_numbers_of<typename E::template Params<R>, R>(in_order(block.params, order));
   const bool uniform =
       std::all_of(params.begin(), params.end(), [&](const auto& p) { return same_bits(p, params[0]); });
   auto& view = plan_.elements.template of<E>();
   view.count = static_cast<int>(block.size());
-  view.vertices = reinterpret_cast<const int(*)[E::num_vertices]>(keep(vertices_of(block, place)));
-  view.rest = keep(all_in_numbers_of<typename E::template Rest<R>, R>(block.rest));
+  view.vertices =
+      reinterpret_cast<const int(*)[E::num_vertices]>(keep(vertices_of(in_order(block.vertices, order), place)));
+  view.rest = keep(all_in_numbers_of<typename E::template Rest<R>, R>(in_order(block.rest, order)));
   view.params = {keep(std::move(params)), uniform ? 0 : 1};
 }
 
@@ -120,7 +167,7 @@ void PlanStorage<R>::add_groups(const Model& model, std::span<const int> place) 
 }
 
 template <class R>
-PlanStorage<R>::PlanStorage(const Model& model, std::span<const int> order) {
+PlanStorage<R>::PlanStorage(const Model& model, std::span<const int> order) : rank_(breadth_first_rank(model)) {
   std::vector<int> place(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
 
@@ -132,10 +179,7 @@ PlanStorage<R>::PlanStorage(const Model& model, std::span<const int> order) {
 
   // The surface comes first: membrane laws upon the same triangles join it.
   TriangleGroup<MembraneEnergies, R> surface;
-  std::vector<int> corners;
-  for (const Triangle& t : model.triangles) {
-    for (const int v : t) corners.push_back(place[static_cast<std::size_t>(v)]);
-  }
+  std::vector<int> corners = vertices_of(in_order(model.triangles, walk(model.triangles, rank_)), place);
   surface.count = static_cast<int>(model.triangles.size());
   surface.vertices = reinterpret_cast<const int(*)[3]>(keep(std::move(corners)));
   surface.is_surface = true;

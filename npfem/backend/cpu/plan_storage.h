@@ -32,6 +32,7 @@ class PlanStorage {
   template <class T>
   T* keep(std::vector<T> values);
 
+  std::vector<int> rank_;  // of each of the model's vertices on a walk over the surface
   CellPlan<R> plan_;
   std::vector<TriangleGroup<MembraneEnergies, R>> groups_;
   std::deque<std::shared_ptr<void>> kept_;

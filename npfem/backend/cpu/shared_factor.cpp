@@ -85,15 +85,40 @@ SharedFactor::SharedFactor(const Sparse& matrix, int block_size) : block_size_(b
       push_rowwise(inverse_diagonal_, inverse.transpose() * d.asDiagonal() * inverse);
     }
   }
+  transpose();
   value_float_.assign(value_.begin(), value_.end());
+  back_value_float_.assign(back_value_.begin(), back_value_.end());
   inverse_diagonal_float_.assign(inverse_diagonal_.begin(), inverse_diagonal_.end());
 }
 
+/// L^T by rows, its blocks transposed.
+void SharedFactor::transpose() {
+  const auto n = row_start_.size() - 1, size = static_cast<std::size_t>(block_size_);
+  back_start_.assign(n + 1, 0);
+  for (const int column : column_) ++back_start_[static_cast<std::size_t>(column) + 1];
+  for (std::size_t i = 0; i < n; ++i) back_start_[i + 1] += back_start_[i];
+  back_column_.resize(column_.size());
+  back_value_.resize(value_.size());
+  std::vector<int> next(back_start_.begin(), back_start_.end() - 1);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (auto k = static_cast<std::size_t>(row_start_[i]); k < static_cast<std::size_t>(row_start_[i + 1]); ++k) {
+      const auto at = static_cast<std::size_t>(next[static_cast<std::size_t>(column_[k])]++);
+      back_column_[at] = static_cast<int>(i);
+      for (std::size_t r = 0; r < size; ++r) {
+        for (std::size_t c = 0; c < size; ++c)
+          back_value_[(at * size + r) * size + c] = value_[(k * size + c) * size + r];
+      }
+    }
+  }
+}
+
 FactorView<double> SharedFactor::view(double) const {
-  return {row_start_.data(), column_.data(), value_.data(), inverse_diagonal_.data()};
+  return {row_start_.data(),   column_.data(),     value_.data(),           back_start_.data(),
+          back_column_.data(), back_value_.data(), inverse_diagonal_.data()};
 }
 FactorView<float> SharedFactor::view(float) const {
-  return {row_start_.data(), column_.data(), value_float_.data(), inverse_diagonal_float_.data()};
+  return {row_start_.data(),   column_.data(),           value_float_.data(),           back_start_.data(),
+          back_column_.data(), back_value_float_.data(), inverse_diagonal_float_.data()};
 }
 
 Eigen::VectorXd SharedFactor::solve(const Eigen::VectorXd& b) const {
@@ -115,8 +140,8 @@ Eigen::VectorXd SharedFactor::solve(const Eigen::VectorXd& b) const {
 }
 
 std::size_t SharedFactor::bytes() const {
-  return (row_start_.size() + column_.size()) * sizeof(int) +
-         (value_.size() + inverse_diagonal_.size()) * (sizeof(double) + sizeof(float));
+  return 2 * (row_start_.size() + column_.size()) * sizeof(int) +
+         (2 * value_.size() + inverse_diagonal_.size()) * (sizeof(double) + sizeof(float));
 }
 
 std::vector<int> elimination_order(const Sparse& pattern) {

@@ -24,10 +24,12 @@ class SharedFactor {
   std::size_t bytes() const;
 
  private:
+  void transpose();
+
   int block_size_;
-  std::vector<int> row_start_, column_;
-  std::vector<double> value_, inverse_diagonal_;
-  std::vector<float> value_float_, inverse_diagonal_float_;
+  std::vector<int> row_start_, column_, back_start_, back_column_;
+  std::vector<double> value_, back_value_, inverse_diagonal_;
+  std::vector<float> value_float_, back_value_float_, inverse_diagonal_float_;
 };
 
 /// The order in which vertices are eliminated with little fill (approximate minimum degree; Amestoy, Davis & Duff

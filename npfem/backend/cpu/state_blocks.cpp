@@ -105,6 +105,16 @@ void StateBlocks::read(Field field, int cell, std::span<double> values) const {
   }
 }
 
+void StateBlocks::copy_from(const StateBlocks& other, int from, int to) {
+  for (std::size_t f = 0; f < num_fields; ++f) {
+    const auto field = static_cast<Field>(f);
+    if (!other.has(field)) continue;
+    require(field);
+    for (std::size_t row = 0; row < rows(field); ++row)
+      fields_[f][at(field, to, row)] = other.fields_[f][other.at(field, from, row)];
+  }
+}
+
 bool StateBlocks::is_zero(Field field, int cell) const {
   if (!has(field)) return true;
   const AlignedVector<double>& numbers = fields_[static_cast<std::size_t>(field)];

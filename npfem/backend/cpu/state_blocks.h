@@ -27,6 +27,8 @@ class StateBlocks {
   void resize(int cells);
   /// Overwrites one cell by another.
   void copy(int from, int to);
+  /// Overwrites a cell by one of another set of the same model.
+  void copy_from(const StateBlocks& other, int from, int to);
   /// Makes the cell a new one.
   void reset(int cell);
 

@@ -10,12 +10,16 @@
 
 namespace npfem::cpu {
 
-/// L of a factor N = L D L^T by rows, strictly below the diagonal; each entry is a number, or a 3 x 3 block by rows.
+/// L of a factor N = L D L^T strictly below the diagonal, by rows for the way forward and by columns (L^T by rows) for
+/// the way back; each entry is a number, or a 3 x 3 block by rows.
 template <class H>
 struct FactorView {
   const int* row_start = nullptr;
   const int* column = nullptr;
   const H* value = nullptr;
+  const int* back_start = nullptr;
+  const int* back_column = nullptr;
+  const H* back_value = nullptr;
   const H* inverse_diagonal = nullptr;  ///< D^-1, a number or a block for each vertex
 };
 
@@ -70,8 +74,8 @@ struct StepSettings {
   double past;                       ///< share of the last move in the next: 0, or 1/3 for BDF2
   double tolerance, residual_bound;  ///< pN
   int max_iterations, history, max_line_search;
-  int matrix;       ///< 0: chosen for each cell, 1: scalar, 2: block
-  bool looks_back;  ///< BDF2: the lags are kept for the next step
+  int matrix;        ///< 0: chosen for each cell, 1: scalar, 2: block
+  bool looks_back;   ///< BDF2: the lags are kept for the next step
   bool leave_short;  ///< a cell above its tolerance does not move: another method takes the step
   bool lineage;
   double lineage_alpha, lineage_beta, lineage_tolerance;
@@ -94,6 +98,8 @@ struct StepTask {
   int first_lane;
   std::uint32_t active;  ///< bit l: lane first_lane + l takes the step
   void* workspace;       ///< KernelTable::workspace_bytes, aligned to 64
+  /// Where not null, cells for which most of their pack has been waiting may leave it unmoved; their bits are set.
+  std::uint32_t* left;
 };
 
 /// Energies and forces at the present positions.
@@ -111,7 +117,7 @@ struct EvaluateTask {
 struct KernelTable {
   const char* name;
   int double_lanes, float_lanes;
-  std::size_t (*workspace_bytes)(int num_vertices, int history);
+  std::size_t (*workspace_bytes)(int num_vertices, int history, int window);
   void (*step_double)(const StepTask<double, double>&);
   void (*step_mixed)(const StepTask<double, float>&);
   void (*step_float)(const StepTask<float, float>&);

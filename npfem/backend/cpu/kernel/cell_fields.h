@@ -17,16 +17,16 @@ class CellFields {
   CellFields(const cpu::CellBlock& block, int first_lane, int num_vertices, bool centred)
       : block_(block), first_(first_lane), n_(num_vertices) {
     for (int l = 0; l < cells; ++l) {
-      for (int c = 0; c < 3; ++c) centre[l][c] = 0;
+      for (int c = 0; c < 3; ++c) centre[c][l] = 0;
     }
     for (int i = 0; i < n_ && centred; ++i) {
       for (int c = 0; c < 3; ++c) {
         const double* const row = from(block_.position, 3 * i + c);
-        for (int l = 0; l < cells; ++l) centre[l][c] += row[l];
+        for (int l = 0; l < cells; ++l) centre[c][l] += row[l];
       }
     }
     for (int l = 0; l < cells; ++l) {
-      for (int c = 0; c < 3; ++c) centre[l][c] /= n_;
+      for (int c = 0; c < 3; ++c) centre[c][l] /= n_;
     }
   }
 
@@ -40,7 +40,7 @@ class CellFields {
 
   const cpu::CellBlock& block() const { return block_; }
 
-  double centre[cells][3];
+  double centre[3][cells];
 
  private:
   const cpu::CellBlock& block_;

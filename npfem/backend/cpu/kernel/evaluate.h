@@ -20,7 +20,7 @@ void evaluate(const cpu::EvaluateTask<double>& task) {
   const Fields fields(task.block, task.first_lane, n, task.plan->is_translation_invariant);
   for (int i = 0; i < 3 * n; ++i) {
     for (int l = 0; l < cells; ++l)
-      Fields::row(position, i)[l] = fields.from(task.block.position, i)[l] - fields.centre[l][i % 3];
+      Fields::row(position, i)[l] = fields.from(task.block.position, i)[l] - fields.centre[i % 3][l];
   }
   for (int i = 0; i < length; ++i) gradient[i] = P(0.0);
   P energies[cpu::num_energies];

@@ -37,9 +37,9 @@ class ImplicitStep {
     prepare();
     choose_matrix();
     minimise();
-    bool moves[cells];
+    bool moves[cells] = {};
     for (int l = 0; l < cells; ++l) {
-      const bool takes_part = (task_.active >> l & 1u) != 0;
+      const bool takes_part = (task_.active >> l & 1u) != 0 && !left_[l];
       if (takes_part) task_.block.report[task_.first_lane + l] = report_[l];
       const bool is_left = settings_.leave_short && report_[l].status == CellStatus::iteration_cap;
       moves[l] = takes_part && !has_failed(report_[l].status) && !is_left;
@@ -56,12 +56,14 @@ class ImplicitStep {
     const cpu::CellBlock& b = task_.block;
     const double per_square = 1 / (settings_.lead * settings_.lead);
     for (int i = 0; i < n_; ++i) {
-      double fluid_mass[cells], per_mass[cells];
-      for (int l = 0; l < cells; ++l) {
-        fluid_mass[l] = b.ambient_mass ? fields_.from(b.ambient_mass, i)[l] : 0.0;
-        const double mass = task_.solid_mass[i] + fluid_mass[l];
-        per_mass[l] = mass > 0 ? 1 / mass : 0;  // lanes without a cell have no mass
+      double fluid_mass[cells] = {}, per_mass[cells];
+      const double solid = task_.solid_mass[i];
+      if (b.ambient_mass) {
+        const double* const mass = fields_.from(b.ambient_mass, i);
+        for (int l = 0; l < cells; ++l) fluid_mass[l] = mass[l];
       }
+      // Lanes without a cell may have no mass.
+      for (int l = 0; l < cells; ++l) per_mass[l] = 1 / larger(solid + fluid_mass[l], 1e-300);
       for (int c = 0; c < 3; ++c) prepare_row(3 * i + c, per_square, fluid_mass, per_mass);
     }
   }
@@ -72,28 +74,54 @@ class ImplicitStep {
     const double solid = task_.solid_mass[row / 3];
     const double* const x = fields_.from(b.position, row);
     const double* const v = fields_.from(b.velocity, row);
-    const double* const u = b.ambient_velocity ? fields_.from(b.ambient_velocity, row) : nullptr;
-    const double* const external = b.external_force ? fields_.from(b.external_force, row) : nullptr;
-    const double* const held = b.held_force ? fields_.from(b.held_force, row) : nullptr;
+    double drift[cells], force[cells] = {};
+    for (int l = 0; l < cells; ++l) drift[l] = solid * v[l];
+    if (past > 0) {
+      const double* const acceleration = fields_.from(b.lag_acceleration, row);
+      for (int l = 0; l < cells; ++l) drift[l] += solid * past * dt * acceleration[l];
+    }
+    if (b.ambient_velocity) {
+      const double* const u = fields_.from(b.ambient_velocity, row);
+      for (int l = 0; l < cells; ++l) drift[l] += fluid_mass[l] * u[l];
+    }
+    for (int l = 0; l < cells; ++l) drift[l] *= settings_.lead * per_mass[l];
+    if (past > 0) {
+      double last[cells];
+      last_move(row, last);
+      for (int l = 0; l < cells; ++l) {
+        drift[l] += past * last[l];
+        if (plan_.is_viscous) Fields::row(last_move_, row)[l] = static_cast<R>(last[l]);
+      }
+    } else if (plan_.is_viscous) {
+      for (int l = 0; l < cells; ++l) Fields::row(last_move_, row)[l] = 0;
+    }
+    if (b.external_force) {
+      const double* const external = fields_.from(b.external_force, row);
+      for (int l = 0; l < cells; ++l) force[l] += external[l];
+    }
+    if (b.held_force) {
+      const double* const held = fields_.from(b.held_force, row);
+      for (int l = 0; l < cells; ++l) force[l] -= held[l];
+    }
+    const double* const centre = fields_.centre[row % 3];
     for (int l = 0; l < cells; ++l) {
-      const double going_on = v[l] + (past > 0 ? past * dt * fields_.from(b.lag_acceleration, row)[l] : 0.0);
-      const double momentum = solid * going_on + (u ? fluid_mass[l] * u[l] : 0.0);
-      const double drift = past * last_move(row, l) + settings_.lead * per_mass[l] * momentum;
-      Fields::row(start_, row)[l] = static_cast<R>(x[l] - fields_.centre[l][row % 3]);
+      Fields::row(start_, row)[l] = static_cast<R>(x[l] - centre[l]);
       Fields::row(inertia_, row)[l] = static_cast<R>((solid + fluid_mass[l]) * per_square);
-      Fields::row(drift_, row)[l] = static_cast<R>(drift);
-      Fields::row(here_, row)[l] = static_cast<R>(drift);
-      Fields::row(force_, row)[l] = static_cast<R>((external ? external[l] : 0.0) - (held ? held[l] : 0.0));
-      if (plan_.is_viscous) Fields::row(last_move_, row)[l] = static_cast<R>(last_move(row, l));
-      if (b.tied_at) Fields::row(tied_, row)[l] = static_cast<R>(x[l] - fields_.from(b.tied_at, row)[l]);
+      Fields::row(drift_, row)[l] = static_cast<R>(drift[l]);
+      Fields::row(here_, row)[l] = static_cast<R>(drift[l]);
+      Fields::row(force_, row)[l] = static_cast<R>(force[l]);
+    }
+    if (b.tied_at) {
+      const double* const tied = fields_.from(b.tied_at, row);
+      for (int l = 0; l < cells; ++l) Fields::row(tied_, row)[l] = static_cast<R>(x[l] - tied[l]);
     }
   }
 
-  /// x_n - x_{n-1} where the integrator looks back, um.
-  double last_move(int row, int l) const {
-    if (!(settings_.past > 0)) return 0;
-    return settings_.time_step *
-           (fields_.from(task_.block.velocity, row)[l] + fields_.from(task_.block.lag_velocity, row)[l]);
+  /// x_n - x_{n-1}, um.
+  void last_move(int row, double (&move)[cells]) const {
+    const double* const v = fields_.from(task_.block.velocity, row);
+    const double* const lag = fields_.from(task_.block.lag_velocity, row);
+    for (int l = 0; l < cells; ++l) move[l] = settings_.time_step * (v[l] + lag[l]);
   }
 
   /// The Hessian of the rest shape is the better guide where the cell still resembles that shape, whichever way it is
@@ -233,8 +261,8 @@ class ImplicitStep {
     // In single precision positions are about the cell's centre and rounding is not in the worst place everywhere.
     const R ulps = sizeof(R) == 8 ? R(32) : R(2);
     const P motion = Shape::largest(inertia) + plan_.viscous_diagonal * static_cast<R>(1 / settings_.lead);
-    const P attainable = ulps * epsilon<R> *
-                         (motion * Shape::largest(drift) + plan_.stiffest_diagonal * Shape::largest(reach));
+    const P attainable =
+        ulps * epsilon<R> * (motion * Shape::largest(drift) + plan_.stiffest_diagonal * Shape::largest(reach));
     return larger(P(static_cast<R>(settings_.tolerance)), attainable);
   }
 
@@ -291,7 +319,23 @@ class ImplicitStep {
       worst = residual(gradient_);
       stop(running, worst <= limit, CellStatus::converged, worst);
       leave_poor_guides(running, worst);
+      if (task_.left && is_waste(running.count())) {
+        for (int l = 0; l < cells; ++l) {
+          left_[l] = running[l];
+          *task_.left |= running[l] ? 1u << l : 0u;
+        }
+        return;
+      }
     }
+  }
+
+  /// Whether the cells still iterating are so few, and have been for so long, that starting them again among others
+  /// costs less than letting the whole pack wait for them.
+  bool is_waste(int running) {
+    ++rounds_;
+    if (running == 0 || 4 * running > cells) return false;
+    if (few_since_ == 0) few_since_ = rounds_;
+    return rounds_ - few_since_ >= 1 + few_since_ / 3;
   }
 
   /// A Hessian that still has not brought a cell's residual down after a few iterations is no better there than the
@@ -399,10 +443,13 @@ class ImplicitStep {
     double* const x = fields_.from(b.position, row);
     double* const v = fields_.from(b.velocity, row);
     double move[cells], velocity[cells];
-    for (int l = 0; l < cells; ++l) {
-      move[l] = static_cast<double>(here[l]) - shift[l];
-      velocity[l] = (move[l] - settings_.past * last_move(row, l)) * per_lead;
+    for (int l = 0; l < cells; ++l) velocity[l] = move[l] = static_cast<double>(here[l]) - shift[l];
+    if (settings_.past > 0) {
+      double last[cells];
+      last_move(row, last);
+      for (int l = 0; l < cells; ++l) velocity[l] -= settings_.past * last[l];
     }
+    for (int l = 0; l < cells; ++l) velocity[l] *= per_lead;
     if (b.lag_velocity) {
       double* const lag = fields_.from(b.lag_velocity, row);
       double* const acceleration = fields_.from(b.lag_acceleration, row);
@@ -447,6 +494,8 @@ class ImplicitStep {
   P *start_, *inertia_, *drift_, *force_, *tied_, *last_move_, *here_, *there_, *gradient_, *trial_gradient_,
       *direction_, *position_, *area_gradient_, *volume_gradient_;
   P worst_before_;  // at the last judgement of the matrix, pN
+  int rounds_ = 0, few_since_ = 0;
+  bool left_[cells] = {};
   CellReport report_[cells];
 };
 

@@ -26,9 +26,10 @@ template <class R, class H>
 using Elements = ElementsInLanes<R, H, lanes_of<R>>;
 
 /// Bytes that any step of these kernels takes from its workspace.
-std::size_t workspace_bytes(int num_vertices, int history) {
+std::size_t workspace_bytes(int num_vertices, int history, int window) {
   const auto field = static_cast<std::size_t>(3 * num_vertices) * NPFEM_REGISTER_BYTES + 128;
-  return field * static_cast<std::size_t>(24 + 2 * history) + 65536;
+  return field * static_cast<std::size_t>(24 + 2 * history) +
+         static_cast<std::size_t>(window) * NPFEM_REGISTER_BYTES * 2 + 65536;
 }
 
 extern const cpu::KernelTable table;

@@ -51,7 +51,7 @@ class LineageStep {
       const double* const external = b.external_force ? fields_.from(b.external_force, row) : nullptr;
       for (int l = 0; l < cells; ++l) {
         const double impulse = dt * mass * fields_.from(b.velocity, row)[l] + dt * dt * (external ? external[l] : 0.0);
-        Fields::row(start_, row)[l] = static_cast<R>(fields_.from(b.position, row)[l] - fields_.centre[l][row % 3]);
+        Fields::row(start_, row)[l] = static_cast<R>(fields_.from(b.position, row)[l] - fields_.centre[row % 3][l]);
         Fields::row(inertial_, row)[l] = static_cast<R>(impulse);
         Fields::row(mass_, row)[l] = static_cast<R>(mass / (dt * dt));
       }
@@ -87,7 +87,7 @@ class LineageStep {
         if (!(weight > 0)) continue;
         R inside[3], along = 0;
         for (int c = 0; c < 3; ++c) {
-          const double target = fields_.from(task_.block.contact, 7 * v + c)[l] - fields_.centre[l][c];
+          const double target = fields_.from(task_.block.contact, 7 * v + c)[l] - fields_.centre[c][l];
           inside[c] = Fields::row(x, 3 * v + c)[l] - static_cast<R>(target);
           along += inside[c] * static_cast<R>(fields_.from(task_.block.contact, 7 * v + 3 + c)[l]);
         }
