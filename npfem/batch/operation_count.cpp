@@ -35,7 +35,7 @@ long count_strain(const Model& model) {
   long counter = 0;
   Vec3<Counted> x[3], gradient[3];
   counted_corners(model.triangles.front(), model.initial, counter, x);
-  const TriangleRest<double> rest{1, 0, 1, 0.5};
+  const TriangleRest<double> rest{1, 0, 1, 0.5, 1};
   const TriangleStrain<Counted> strain = triangle_strain(x, rest);
   const Counted any{1, counter};
   triangle_gradient(strain, rest, {any, any, any}, gradient);
