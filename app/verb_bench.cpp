@@ -158,7 +158,7 @@ void warn_when_busy(double load) {
   std::snprintf(
       line, sizeof line,
       "npfem: the machine is busy (load %.1f on %d cores): times of one thread are processor time and hold to "
-      "some 20 %%, those of more threads do not",
+      "some 30 %%, those of more threads do not",
       load, bench::core_count());
   bench::say(line);
 }
