@@ -54,11 +54,11 @@ constexpr std::array<OptionInfo, 20> table{{
 }};
 
 const OptionInfo& find(std::string_view key) {
-  std::vector<std::string> keys;
   for (const OptionInfo& option : table) {
     if (key == option.key) return option;
-    keys.emplace_back(option.key);
   }
+  std::vector<std::string> keys;
+  for (const OptionInfo& option : table) keys.emplace_back(option.key);
   throw Error(Status::unknown_name, "no option \"" + std::string(key) + "\"" + text::suggestion(key, keys));
 }
 

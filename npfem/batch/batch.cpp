@@ -173,9 +173,11 @@ void Batch::require_steppable() const {
 }
 
 void Batch::require_no_fluid() const {
+  std::vector<double> values;
   for (int c = 0; c < num_cells(); ++c) {
     for (const Field field : {Field::ambient_mass, Field::held_force}) {
-      const std::vector<double> values = field_of(field, c);
+      values.resize(size_of(field, model_->num_vertices()));
+      backend_->read(field, c, values);
       const auto found = std::find_if(values.begin(), values.end(), [](double value) { return value != 0; });
       if (found == values.end()) continue;
       throw Error(Status::wrong_order,

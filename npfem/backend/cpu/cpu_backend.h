@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "backend/backend.h"
 #include "backend/cpu/plan_storage.h"
+#include "backend/cpu/precision_check.h"
 #include "backend/cpu/state_blocks.h"
 #include "backend/cpu/step_factors.h"
 #include "backend/cpu/threads.h"
@@ -86,6 +88,7 @@ class CpuBackend final : public Backend {
 
   std::unique_ptr<PlanStorage<double>> plan_double_;
   std::unique_ptr<PlanStorage<float>> plan_float_;
+  std::optional<StiffestForce> stiffest_;  // known from the first step in float
   std::vector<double> solid_mass_, rest_shape_;  // in the kernels' order
 
   std::vector<std::vector<double>> mass_sets_;  // ambient masses that occur, in the kernels' order

@@ -80,7 +80,9 @@ std::vector<CpuBackend::StepKind<H>> CpuBackend::kinds_of_step(const SolverOptio
                                 ? FactorKey{options.time_step, -1, 1 + options.lineage_beta / options.time_step}
                                 : FactorKey{settings.lead, set, 1};
       const bool with_hessian = !options.lineage && options.matrix != 1;
-      kinds.push_back({settings, factors(key, with_hessian).template view<H>(), set, past});
+      const StepFactors& matrices = factors(key, with_hessian);
+      if (options.precision != 0 && !matrices.fits_float()) refuse_factor_in_float(options);
+      kinds.push_back({settings, matrices.template view<H>(), set, past});
     }
   }
   return kinds;
@@ -229,6 +231,10 @@ void CpuBackend::step_stragglers(const StepPlan<R, H>& step, int threads) {
 }
 
 void CpuBackend::step(const SolverOptions& options) {
+  if (options.precision == 2) {
+    if (!stiffest_) stiffest_ = stiffest_force(*model_);
+    require_forces_in_float(*stiffest_, options);
+  }
   find_mass_sets();
   if (options.integrator == Integrator::bdf2) {
     state_.require(Field::lag_velocity);

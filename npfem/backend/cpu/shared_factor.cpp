@@ -4,9 +4,12 @@
 #include <Eigen/Dense>
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
-#include "error.h"
+#include "backend/reference/step_factor.h"
 
 namespace npfem::cpu {
 namespace {
@@ -52,12 +55,7 @@ void push_rowwise(std::vector<double>& to, const Eigen::Matrix3d& m) {
 SharedFactor::SharedFactor(const Sparse& matrix, int block_size) : block_size_(block_size) {
   Factor factor;
   factor.compute(matrix);
-  if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0)) {
-    throw Error(
-        Status::bad_input,
-        "the matrix M/dt^2 + W is not positive definite: every vertex needs a mass (solid_mass + ambient_mass > "
-        "0) and the material positive moduli");
-  }
+  if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0)) refuse_step_matrix();
   const auto n = static_cast<int>(matrix.rows()) / block_size;
   const Sparse lower = factor.matrixL();
   row_start_.push_back(0);
@@ -89,6 +87,21 @@ SharedFactor::SharedFactor(const Sparse& matrix, int block_size) : block_size_(b
   value_float_.assign(value_.begin(), value_.end());
   back_value_float_.assign(back_value_.begin(), back_value_.end());
   inverse_diagonal_float_.assign(inverse_diagonal_.begin(), inverse_diagonal_.end());
+  fits_float_ = is_sound_in_float();
+}
+
+bool SharedFactor::is_sound_in_float() const {
+  const auto finite = [](float v) { return std::isfinite(v); };
+  if (!std::all_of(value_float_.begin(), value_float_.end(), finite)) return false;
+  const auto size = static_cast<std::size_t>(block_size_ * block_size_);
+  for (std::size_t k = 0; k < inverse_diagonal_float_.size(); k += size) {
+    using Block = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+    const Eigen::MatrixXd inverse = Block(inverse_diagonal_float_.data() + k, block_size_, block_size_).cast<double>();
+    const double least = inverse.diagonal().minCoeff();
+    if (!inverse.allFinite() || !(least >= std::numeric_limits<float>::min())) return false;
+    if (inverse.llt().info() != Eigen::Success) return false;
+  }
+  return true;
 }
 
 /// L^T by rows, its blocks transposed.

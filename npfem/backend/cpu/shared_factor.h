@@ -22,11 +22,15 @@ class SharedFactor {
   /// N^-1 b, one right-hand side.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   std::size_t bytes() const;
+  /// Whether the factor in float is finite and positive definite like that in double.
+  bool fits_float() const { return fits_float_; }
 
  private:
   void transpose();
+  bool is_sound_in_float() const;
 
   int block_size_;
+  bool fits_float_;
   std::vector<int> row_start_, column_, back_start_, back_column_;
   std::vector<double> value_, back_value_, inverse_diagonal_;
   std::vector<float> value_float_, back_value_float_, inverse_diagonal_float_;

@@ -43,6 +43,7 @@ class StepFactors {
 
   const FactorKey& key() const { return key_; }
   bool has_hessian() const { return block_.has_value(); }
+  bool fits_float() const { return scalar_.fits_float() && (!block_ || block_->fits_float()); }
   template <class H>
   StepMatrices<H> view() const;
 

@@ -7,6 +7,14 @@
 
 namespace npfem {
 
+void refuse_step_matrix() {
+  throw Error(
+      Status::bad_input,
+      "the matrix M/dt^2 + W is not positive definite: every vertex needs a mass (solid_mass + ambient_mass > 0), the "
+      "time_step must not be so long nor a patch so stiff that M/dt^2 is lost in the rounding of W, and the material "
+      "needs a membrane or bending law of positive modulus");
+}
+
 StepFactor::StepFactor(const Model& model, const Eigen::VectorXd& diagonal, Scales scales,
                        std::span<const Patch> patches) {
   std::vector<Eigen::Triplet<double>> entries;
@@ -25,11 +33,7 @@ StepFactor::StepFactor(const Model& model, const Eigen::VectorXd& diagonal, Scal
   if (model.is_viscous() && scales.viscous > 0) matrix += scales.viscous * model.viscous_weight;
   factor_.compute(matrix);
   if (factor_.info() != Eigen::Success || !(factor_.vectorD().minCoeff() > 0)) {
-    throw Error(
-        Status::bad_input,
-        "the matrix M/dt^2 + W is not positive definite: every vertex needs a mass (solid_mass + ambient_mass > "
-        "0), the time_step must not be so long that M/dt^2 is lost in the rounding of W, and the material needs a "
-        "membrane or bending law of positive modulus");
+    refuse_step_matrix();
   }
 }
 

@@ -9,6 +9,9 @@
 
 namespace npfem {
 
+/// Throws Error(bad_input): the matrix of a step is not positive definite, and why that may be.
+[[noreturn]] void refuse_step_matrix();
+
 /// The constant matrix of a quasi-Newton iteration, factorised once and shared by all cells of a model:
 ///   N = diag(diagonal) + scales.elastic * W + scales.viscous * W_v + patches,
 /// W the sum of the energies' weights, W_v that of the membrane viscosity. One n x n matrix serves x, y and z.

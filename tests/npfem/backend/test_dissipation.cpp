@@ -12,10 +12,17 @@
 namespace npfem {
 namespace {
 
-TEST(Dissipation, ALineageStepRefusesAViscosityThatItWouldIgnore) {
+/// By back end.
+class Dissipation : public ::testing::TestWithParam<const char*> {
+ protected:
+  const char* back_end = GetParam();
+};
+INSTANTIATE_TEST_SUITE_P(BackEnds, Dissipation, ::testing::Values("reference", "cpu"));
+
+TEST_P(Dissipation, ALineageStepRefusesAViscosityThatItWouldIgnore) {
   Material material = Material::preset("palabos-rbc");
   material.set("membrane_dilatational_viscosity", 1);
-  Batch batch(testing::red_cell(material), "reference", 1);
+  Batch batch(testing::red_cell(material), back_end, 1);
   batch.options().lineage = true;
   try {
     batch.step(1);
@@ -26,11 +33,11 @@ TEST(Dissipation, ALineageStepRefusesAViscosityThatItWouldIgnore) {
   }
 }
 
-TEST(Dissipation, TheFluidReceivesTheViscousForceToo) {
+TEST_P(Dissipation, TheFluidReceivesTheViscousForceToo) {
   // Without own mass F is the whole membrane force. What it has beyond the elastic force opposes the motion.
   Material material = Material::preset("rbc");
   material.set("membrane_shear_viscosity", 1e5);
-  Batch batch(testing::red_cell(material), "reference", 1);
+  Batch batch(testing::red_cell(material), back_end, 1);
   batch.relax();
   batch.options().tolerance = 1e-9;
   batch.write(Field::ambient_mass, 0, 1, testing::fluid_mass(batch.model()));
@@ -52,13 +59,13 @@ TEST(Dissipation, TheFluidReceivesTheViscousForceToo) {
   EXPECT_GT(*std::max_element(viscous.begin(), viscous.end()), 1);
 }
 
-TEST(Dissipation, ARealViscosityAtASmallStepIsSolved) {
+TEST_P(Dissipation, ARealViscosityAtASmallStepIsSolved) {
   // eta_s/dt is here 10^5 times the shear modulus; without its share of the matrix, steps end at the cap of 200.
   for (const int integrator : {Integrator::implicit_euler, Integrator::bdf2}) {
     Material material = Material::preset("rbc");
     material.set("membrane_density", 5);
     material.set("membrane_shear_viscosity", 420000);
-    Batch batch(testing::red_cell(material), "reference", 1);
+    Batch batch(testing::red_cell(material), back_end, 1);
     testing::stretch_and_release(batch, 45);
     batch.options().integrator = integrator;
     int iterations = 0;
@@ -80,8 +87,8 @@ struct Recovery {
   int iterations;            // of the hardest step
 };
 
-Recovery recover(const Material& material, double dt, double duration) {
-  Batch batch(testing::red_cell(material), "reference", 1);
+Recovery recover(const char* back_end, const Material& material, double dt, double duration) {
+  Batch batch(testing::red_cell(material), back_end, 1);
   batch.relax();
   const auto ratio = [&] { return batch.measure("extent_x", 0) / batch.measure("extent_y", 0); };
   const double at_rest = ratio();
@@ -100,7 +107,7 @@ Recovery recover(const Material& material, double dt, double duration) {
   return result;
 }
 
-TEST(Dissipation, TheHochmuthTimeDoesNotDependOnTheStep) {
+TEST_P(Dissipation, TheHochmuthTimeDoesNotDependOnTheStep) {
   // A real cell (0.42 uN s/m) takes 0.13 s, 130 000 steps of 1 us. Without inertia time enters as t/eta_s alone, so a
   // cell of 1/65 of that viscosity does the same in 2000 us; its membrane is light enough to leave inertia aside.
   Material material = Material::preset("rbc");
@@ -108,7 +115,7 @@ TEST(Dissipation, TheHochmuthTimeDoesNotDependOnTheStep) {
   const double viscosity = 6500;
   material.set("membrane_shear_viscosity", viscosity);
   const double scale = viscosity / material.get("shear_modulus");
-  const Recovery fine = recover(material, 1, scale), coarse = recover(material, 20, scale);
+  const Recovery fine = recover(back_end, material, 1, scale), coarse = recover(back_end, material, 20, scale);
   for (const Recovery& r : {fine, coarse}) {
     std::printf("L/W = %.3f, t_c = %.1f us = %.3f eta_s/G_s, at most %d iterations\n", r.start_ratio, r.time,
                 r.time / scale, r.iterations);

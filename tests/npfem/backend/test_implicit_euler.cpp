@@ -13,11 +13,18 @@ namespace {
 using testing::get;
 using testing::uniform;
 
-TEST(ImplicitEuler, FreeFlightKeepsMomentumAndShape) {
+/// By back end.
+class ImplicitEuler : public ::testing::TestWithParam<const char*> {
+ protected:
+  const char* back_end = GetParam();
+};
+INSTANTIATE_TEST_SUITE_P(BackEnds, ImplicitEuler, ::testing::Values("reference", "cpu"));
+
+TEST_P(ImplicitEuler, FreeFlightKeepsMomentumAndShape) {
   Material material = Material::preset("rbc");
   material.set("membrane_density", 5);
   material.set("stress_free_reduced_volume", 0);
-  Batch batch(std::make_shared<const Model>(build_model(evans_fung_cell(2), material)), "reference", 1);
+  Batch batch(std::make_shared<const Model>(build_model(evans_fung_cell(2), material)), back_end, 1);
   const auto start = get(batch, Field::position);
   batch.write(Field::velocity, 0, 1, uniform(batch.model(), 0.01, -0.02, 0.03));
   ASSERT_EQ(batch.step(100), 0);
@@ -29,9 +36,9 @@ TEST(ImplicitEuler, FreeFlightKeepsMomentumAndShape) {
   }
 }
 
-TEST(ImplicitEuler, ConstantForceGivesTheDiscreteParabola) {
+TEST_P(ImplicitEuler, ConstantForceGivesTheDiscreteParabola) {
   // v_n = n dt f/m and x_n = x_0 + dt sum v: exact for implicit Euler.
-  Batch batch(testing::red_cell_model(2, 5), "reference", 1);
+  Batch batch(testing::red_cell_model(2, 5), back_end, 1);
   batch.relax();
   const double before = batch.measure("centre_z", 0);
   batch.write(Field::external_force, 0, 1, uniform(batch.model(), 0, 0, -2));
@@ -46,14 +53,14 @@ TEST(ImplicitEuler, ConstantForceGivesTheDiscreteParabola) {
   EXPECT_LT(batch.measure("centre_z", 0), before);
 }
 
-TEST(ImplicitEuler, DampsAVibrationAsTheoryDemands) {
+TEST_P(ImplicitEuler, DampsAVibrationAsTheoryDemands) {
   // Breathing of an icosahedron held by its volume alone: one linear mode of frequency w. Implicit Euler multiplies the
   // amplitude of (x, v) by 1/(1 - i w dt) in each step: magnitude (1 + w^2 dt^2)^-1/2, phase atan(w dt).
   Material material;
   material.set("global_volume_modulus", 1000);
   material.set("membrane_density", 3);
   const auto model = std::make_shared<const Model>(build_model(icosahedral_sphere(0), material));
-  Batch batch(model, "reference", 1);
+  Batch batch(model, back_end, 1);
   batch.options().tolerance = 0;  // as far as rounding lets it go
   const double dt = batch.options().time_step = 0.005;
   const double amplitude = 1e-6;
@@ -73,8 +80,8 @@ TEST(ImplicitEuler, DampsAVibrationAsTheoryDemands) {
   EXPECT_NEAR(ratio, decay * std::cos(phase), 1e-5);
 }
 
-TEST(ImplicitEuler, AMasslessCellGoesWithAUniformFluid) {
-  Batch batch(testing::red_cell_model(), "reference", 1);
+TEST_P(ImplicitEuler, AMasslessCellGoesWithAUniformFluid) {
+  Batch batch(testing::red_cell_model(), back_end, 1);
   batch.relax();
   const auto start = get(batch, Field::position);
   batch.write(Field::ambient_mass, 0, 1, testing::fluid_mass(batch.model()));
@@ -88,9 +95,9 @@ TEST(ImplicitEuler, AMasslessCellGoesWithAUniformFluid) {
   }
 }
 
-TEST(ImplicitEuler, TheFluidReceivesTheElasticForce) {
+TEST_P(ImplicitEuler, TheFluidReceivesTheElasticForce) {
   // Without own mass, F = f_old + m_f (v - u)/dt equals -dE/dx + f_ext at the solution.
-  Batch batch(testing::red_cell_model(), "reference", 1);
+  Batch batch(testing::red_cell_model(), back_end, 1);
   batch.relax();
   batch.options().tolerance = 1e-9;
   batch.write(Field::ambient_mass, 0, 1, testing::fluid_mass(batch.model()));
@@ -108,9 +115,9 @@ TEST(ImplicitEuler, TheFluidReceivesTheElasticForce) {
   EXPECT_GT(largest, 0.01) << "a test on zero forces proves nothing";
 }
 
-TEST(ImplicitEuler, MomentumClosesWhateverTheTolerance) {
+TEST_P(ImplicitEuler, MomentumClosesWhateverTheTolerance) {
   // Sum of F = sum of f_ext - d(own momentum)/dt, to round-off, even where the solve is stopped early.
-  Batch batch(testing::red_cell_model(2, 1), "reference", 1);
+  Batch batch(testing::red_cell_model(2, 1), back_end, 1);
   batch.relax();
   batch.options().tolerance = 5;
   batch.options().residual_bound = 1e3;
@@ -135,9 +142,9 @@ TEST(ImplicitEuler, MomentumClosesWhateverTheTolerance) {
   }
 }
 
-TEST(ImplicitEuler, ResultTurnsWithTheCell) {
+TEST_P(ImplicitEuler, ResultTurnsWithTheCell) {
   const auto model = testing::red_cell_model();
-  Batch batch(model, "reference", 2);
+  Batch batch(model, back_end, 2);
   batch.relax();
   batch.options().tolerance = 1e-9;
   const Vec3<double> axis{1, 2, -1}, shift{20, -3, 7};
@@ -164,10 +171,10 @@ TEST(ImplicitEuler, ResultTurnsWithTheCell) {
   }
 }
 
-TEST(ImplicitEuler, ACellsBitsDoNotDependOnItsNeighboursInTheBatch) {
+TEST_P(ImplicitEuler, ACellsBitsDoNotDependOnItsNeighboursInTheBatch) {
   const auto model = testing::red_cell_model();
   const auto run = [&](int cells, int mine) {
-    Batch batch(model, "reference", cells);
+    Batch batch(model, back_end, cells);
     batch.relax();
     for (int c = 0; c < cells; ++c) {
       batch.write(Field::ambient_mass, c, 1, testing::fluid_mass(*model));
@@ -180,9 +187,9 @@ TEST(ImplicitEuler, ACellsBitsDoNotDependOnItsNeighboursInTheBatch) {
   EXPECT_EQ(run(1, 0), run(5, 3));
 }
 
-TEST(ImplicitEuler, AFailedCellKeepsItsStateAndTheOthersGoOn) {
+TEST_P(ImplicitEuler, AFailedCellKeepsItsStateAndTheOthersGoOn) {
   const auto model = testing::red_cell_model();
-  Batch batch(model, "reference", 2);
+  Batch batch(model, back_end, 2);
   batch.relax();
   for (int c = 0; c < 2; ++c) batch.write(Field::ambient_mass, c, 1, testing::fluid_mass(*model));
   batch.write(Field::ambient_velocity, 0, 1, uniform(*model, 1e200, 0, 0));
@@ -197,9 +204,9 @@ TEST(ImplicitEuler, AFailedCellKeepsItsStateAndTheOthersGoOn) {
   EXPECT_NE(batch.status_text(0).find("cell 0 failed"), std::string::npos);
 }
 
-TEST(ImplicitEuler, TheIterationCapIsAWarningOrAFailureByItsResidual) {
+TEST_P(ImplicitEuler, TheIterationCapIsAWarningOrAFailureByItsResidual) {
   const auto model = testing::red_cell_model();
-  Batch batch(model, "reference", 1);
+  Batch batch(model, back_end, 1);
   batch.write(Field::ambient_mass, 0, 1, testing::fluid_mass(*model));
   batch.write(Field::ambient_velocity, 0, 1, testing::shear(get(batch, Field::position), 0.05));
   batch.options().time_step = 20;
@@ -213,8 +220,8 @@ TEST(ImplicitEuler, TheIterationCapIsAWarningOrAFailureByItsResidual) {
   EXPECT_EQ(batch.report(0).status, CellStatus::not_converged);
 }
 
-TEST(ImplicitEuler, NeedsAMass) {
-  Batch batch(testing::red_cell_model(), "reference", 1);
+TEST_P(ImplicitEuler, NeedsAMass) {
+  Batch batch(testing::red_cell_model(), back_end, 1);
   try {
     batch.step(1);
     FAIL();

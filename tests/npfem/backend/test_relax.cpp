@@ -13,8 +13,15 @@ namespace {
 
 using testing::get;
 
-TEST(Relax, EndsWhereNoForceIsLeft) {
-  Batch batch(testing::red_cell_model(3), "reference", 1);
+/// By back end.
+class Relax : public ::testing::TestWithParam<const char*> {
+ protected:
+  const char* back_end = GetParam();
+};
+INSTANTIATE_TEST_SUITE_P(BackEnds, Relax, ::testing::Values("reference", "cpu"));
+
+TEST_P(Relax, EndsWhereNoForceIsLeft) {
+  Batch batch(testing::red_cell_model(3), back_end, 1);
   ASSERT_EQ(batch.relax(), 0);
   batch.evaluate();
   for (const double f : get(batch, Field::elastic_force)) EXPECT_LT(std::abs(f), batch.options().tolerance);
@@ -24,7 +31,7 @@ TEST(Relax, EndsWhereNoForceIsLeft) {
   EXPECT_NEAR(batch.measure("extent_z", 0), 2.72, 0.03);
 }
 
-TEST(Relax, InflatesASphereAsTheClosedFormSays) {
+TEST_P(Relax, InflatesASphereAsTheClosedFormSays) {
   // Neo-Hookean sphere under inner pressure: p R0/G_s = 2 (1/l - 1/l^7). The pressure comes from the volume energy of a
   // sphere that wants to be larger; its own value is then read off the volume reached.
   for (const int level : {2, 3}) {
@@ -40,7 +47,7 @@ TEST(Relax, InflatesASphereAsTheClosedFormSays) {
     Model model = build_model(mesh, material);
     model.rest.volume *= 2;  // V0: what the pressure drives it to
     const double target = model.rest.volume;
-    Batch batch(std::make_shared<const Model>(model), "reference", 1);
+    Batch batch(std::make_shared<const Model>(model), back_end, 1);
     batch.options().tolerance = 1e-8;
     ASSERT_EQ(batch.relax(), 0);
     const double volume = batch.measure("volume", 0);
@@ -52,7 +59,7 @@ TEST(Relax, InflatesASphereAsTheClosedFormSays) {
   }
 }
 
-TEST(Relax, EveryLawReturnsToItsOwnShape) {
+TEST_P(Relax, EveryLawReturnsToItsOwnShape) {
   for (const char* law : {"yeoh", "wlc", "skalak"}) {
     for (const char* bending : {"juelicher", "cotangent"}) {
       Material material = Material::preset("rbc");
@@ -60,7 +67,7 @@ TEST(Relax, EveryLawReturnsToItsOwnShape) {
       material.set_text("membrane_law", law);
       material.set("yeoh_c3", 0.4);
       material.set_text("bending_law", bending);
-      Batch batch(std::make_shared<const Model>(build_model(evans_fung_cell(2), material)), "reference", 1);
+      Batch batch(std::make_shared<const Model>(build_model(evans_fung_cell(2), material)), back_end, 1);
       batch.options().tolerance = 1e-7;
       const auto rest = get(batch, Field::position);
       std::vector<double> x = rest;
@@ -74,7 +81,7 @@ TEST(Relax, EveryLawReturnsToItsOwnShape) {
   }
 }
 
-TEST(Relax, BendingAloneMakesTheDiscocyteOfHelfrich) {
+TEST_P(Relax, BendingAloneMakesTheDiscocyteOfHelfrich) {
   // S10: at the area and volume of a red cell (reduced volume 0.645) the shape of least bending energy has E/(8 pi
   // kappa) = 1.840, diameter 2.472 and thickness 0.698 in units of sqrt(A/4 pi) (shape equations, by shooting); the
   // measured shape that it starts from has 1.929. The mesh keeps a little shear and area stiffness, a thousandth of the
@@ -94,7 +101,7 @@ TEST(Relax, BendingAloneMakesTheDiscocyteOfHelfrich) {
     material.set("bending_modulus", 0.3);
     material.set("global_area_modulus", 1000);
     material.set("global_volume_modulus", 1000);
-    Batch batch(std::make_shared<const Model>(build_model(evans_fung_cell(3), material)), "reference", 1);
+    Batch batch(std::make_shared<const Model>(build_model(evans_fung_cell(3), material)), back_end, 1);
     batch.options().tolerance = 1e-4;
     ASSERT_EQ(batch.relax(), 0);
     batch.evaluate();
@@ -107,8 +114,8 @@ TEST(Relax, BendingAloneMakesTheDiscocyteOfHelfrich) {
   }
 }
 
-TEST(Relax, PatchesMoveAsOneBody) {
-  Batch batch(testing::red_cell_model(3), "reference", 1);
+TEST_P(Relax, PatchesMoveAsOneBody) {
+  Batch batch(testing::red_cell_model(3), back_end, 1);
   batch.relax();
   const auto start = get(batch, Field::position);
   std::vector<int> left, right;
@@ -135,10 +142,10 @@ TEST(Relax, PatchesMoveAsOneBody) {
   EXPECT_LT(largest - least, 0.02);
 }
 
-TEST(Relax, APatchRemembersTheShapeInWhichItWasTied) {
+TEST_P(Relax, APatchRemembersTheShapeInWhichItWasTied) {
   // The same load in one solve and in five must end in the same place: a patch does not creep from call to call.
-  const auto stretched = [](int solves) {
-    Batch batch(testing::red_cell_model(2), "reference", 1);
+  const auto stretched = [this](int solves) {
+    Batch batch(testing::red_cell_model(2), back_end, 1);
     batch.options().tolerance = 1e-8;
     batch.relax();
     const auto start = get(batch, Field::position);
@@ -164,8 +171,8 @@ TEST(Relax, APatchRemembersTheShapeInWhichItWasTied) {
   EXPECT_NEAR(stretched(1), stretched(5), 1e-5);
 }
 
-TEST(Relax, RefusesForcesThatDoNotBalance) {
-  Batch batch(testing::red_cell_model(), "reference", 1);
+TEST_P(Relax, RefusesForcesThatDoNotBalance) {
+  Batch batch(testing::red_cell_model(), back_end, 1);
   batch.write(Field::external_force, 0, 1, testing::uniform(batch.model(), 1, 0, 0));
   try {
     batch.relax();

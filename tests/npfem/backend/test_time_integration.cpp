@@ -19,6 +19,13 @@ using testing::red_cell;
 using testing::total;
 using testing::uniform;
 
+/// By back end.
+class TimeIntegration : public ::testing::TestWithParam<const char*> {
+ protected:
+  const char* back_end = GetParam();
+};
+INSTANTIATE_TEST_SUITE_P(BackEnds, TimeIntegration, ::testing::Values("reference", "cpu"));
+
 const int both[] = {Integrator::implicit_euler, Integrator::bdf2};
 const double order_margin[] = {0.15, 0.2};
 
@@ -42,11 +49,12 @@ void expect_order(const char* what, int integrator, const std::vector<double>& e
 /// An icosahedron that breathes: one mode m s" + c s' + k s = 0 of its relative size 1 + s, k by its volume modulus
 /// and c by the dilatational viscosity of its membrane.
 struct Breathing {
+  const char* back_end;
   std::shared_ptr<const Model> model;
   double mass, damping, stiffness;
   std::vector<double> rest;
 
-  explicit Breathing(double viscosity) {
+  Breathing(const char* back_end_name, double viscosity) : back_end(back_end_name) {
     Material material;
     material.set("global_volume_modulus", 1000);
     material.set("membrane_density", 3);
@@ -67,7 +75,7 @@ struct Breathing {
   }
 
   double end_of(double amplitude, int steps, double dt, int integrator) const {
-    Batch batch(model, "reference", 1);
+    Batch batch(model, back_end, 1);
     batch.options().tolerance = 0;  // as far as rounding lets it go
     batch.options().integrator = integrator;
     batch.options().time_step = dt;
@@ -82,8 +90,8 @@ struct Breathing {
   }
 };
 
-TEST(TimeIntegration, OrderOnAHarmonicMode) {
-  const Breathing sphere(0);
+TEST_P(TimeIntegration, OrderOnAHarmonicMode) {
+  const Breathing sphere(back_end, 0);
   const double w = std::sqrt(sphere.stiffness / sphere.mass), end = 2.0 / w;
   for (const int integrator : both) {
     std::vector<double> errors;
@@ -94,11 +102,11 @@ TEST(TimeIntegration, OrderOnAHarmonicMode) {
   }
 }
 
-TEST(TimeIntegration, OrderOnAViscousMode) {
+TEST_P(TimeIntegration, OrderOnAViscousMode) {
   // Damped to twice the critical value: s = (r1 e^(r2 t) - r2 e^(r1 t))/(r1 - r2).
-  const Breathing bare(0);
+  const Breathing bare(back_end, 0);
   const double viscosity = 4 * std::sqrt(bare.mass * bare.stiffness) / (4 * bare.model->rest.area);
-  const Breathing sphere(viscosity);
+  const Breathing sphere(back_end, viscosity);
   const double p = sphere.damping / (2 * sphere.mass), root = std::sqrt(p * p - sphere.stiffness / sphere.mass);
   const double r1 = -p + root, r2 = -p - root, end = 1.5 / -r1;
   const double exact = (r1 * std::exp(r2 * end) - r2 * std::exp(r1 * end)) / (r1 - r2);
@@ -111,12 +119,12 @@ TEST(TimeIntegration, OrderOnAViscousMode) {
   }
 }
 
-void expect_orders_of_release(const char* what, double viscosity) {
+void expect_orders_of_release(const char* back_end, const char* what, double viscosity) {
   Material material = Material::preset("rbc");
   material.set("membrane_density", 1000);
   material.set("membrane_shear_viscosity", viscosity);
   material.set("membrane_dilatational_viscosity", 2 * viscosity);
-  Batch batch(red_cell(material), "reference", 1);
+  Batch batch(red_cell(material), back_end, 1);
   testing::stretch_and_release(batch, 30);
   std::vector<double> start(static_cast<std::size_t>(batch.pack_length()));
   batch.pack(0, start);
@@ -138,18 +146,18 @@ void expect_orders_of_release(const char* what, double viscosity) {
   }
 }
 
-TEST(TimeIntegration, OrderOnAReleasedRedCell) {
-  expect_orders_of_release("released red cell", 0);
+TEST_P(TimeIntegration, OrderOnAReleasedRedCell) {
+  expect_orders_of_release(back_end, "released red cell", 0);
 }
 
-TEST(TimeIntegration, OrderOnAReleasedViscousRedCell) {
-  expect_orders_of_release("released viscous red cell", 50);
+TEST_P(TimeIntegration, OrderOnAReleasedViscousRedCell) {
+  expect_orders_of_release(back_end, "released viscous red cell", 50);
 }
 
-TEST(TimeIntegration, MembraneViscosityIsThatOfTheClosedFormAtAnyStep) {
+TEST_P(TimeIntegration, MembraneViscosityIsThatOfTheClosedFormAtAnyStep) {
   // Without inertia s = s_0 exp(-t k/c). The breathing mode with a mass too small to matter and a viscosity in charge.
-  const Breathing bare(0);
-  const Breathing sphere(100 * std::sqrt(bare.mass * bare.stiffness) / (4 * bare.model->rest.area));
+  const Breathing bare(back_end, 0);
+  const Breathing sphere(back_end, 100 * std::sqrt(bare.mass * bare.stiffness) / (4 * bare.model->rest.area));
   const double tau = sphere.damping / sphere.stiffness;
   for (const int steps : {40, 160}) {
     EXPECT_NEAR(sphere.after(steps, tau / steps, Integrator::bdf2), std::exp(-1.0), 5e-4);
@@ -157,12 +165,12 @@ TEST(TimeIntegration, MembraneViscosityIsThatOfTheClosedFormAtAnyStep) {
   }
 }
 
-TEST(TimeIntegration, Bdf2MovesUniformlyWithoutForces) {
+TEST_P(TimeIntegration, Bdf2MovesUniformlyWithoutForces) {
   Material material = Material::preset("rbc");
   material.set("membrane_density", 5);
   material.set("stress_free_reduced_volume", 0);
   material.set("membrane_shear_viscosity", 1e6);
-  Batch batch(red_cell(material), "reference", 1);
+  Batch batch(red_cell(material), back_end, 1);
   batch.options().integrator = Integrator::bdf2;
   const auto start = get(batch, Field::position);
   batch.write(Field::velocity, 0, 1, uniform(batch.model(), 0.01, -0.02, 0.03));
@@ -177,10 +185,10 @@ TEST(TimeIntegration, Bdf2MovesUniformlyWithoutForces) {
 
 /// A cell with mass under loads that do not balance, solved loosely.
 struct LoadedCell {
-  Batch batch{testing::red_cell_model(2, 1), "reference", 1};
+  Batch batch;
   std::vector<double> load;
 
-  LoadedCell() {
+  explicit LoadedCell(const char* back_end) : batch(testing::red_cell_model(2, 1), back_end, 1) {
     batch.relax();
     batch.options().integrator = Integrator::bdf2;
     batch.options().tolerance = 5;
@@ -197,9 +205,9 @@ struct LoadedCell {
   }
 };
 
-TEST(TimeIntegration, Bdf2KeepsMomentumWhateverTheTolerance) {
+TEST_P(TimeIntegration, Bdf2KeepsMomentumWhateverTheTolerance) {
   // The start by implicit Euler gives P_1 = dt F, and BDF2's (3 P_{n+1} - 4 P_n + P_{n-1})/(2 dt) = F keeps P = t F.
-  LoadedCell cell;
+  LoadedCell cell(back_end);
   const auto force = total(cell.load);
   for (int s = 1; s <= 20; ++s) {
     ASSERT_EQ(cell.batch.step(1), 0);
@@ -211,8 +219,8 @@ TEST(TimeIntegration, Bdf2KeepsMomentumWhateverTheTolerance) {
   }
 }
 
-TEST(TimeIntegration, TheLagFieldsAreThePastOfTheCell) {
-  LoadedCell cell;
+TEST_P(TimeIntegration, TheLagFieldsAreThePastOfTheCell) {
+  LoadedCell cell(back_end);
   Batch& batch = cell.batch;
   const double dt = batch.options().time_step;
   const auto x0 = get(batch, Field::position);
@@ -240,8 +248,8 @@ TEST(TimeIntegration, TheLagFieldsAreThePastOfTheCell) {
   EXPECT_EQ(get(batch, Field::lag_acceleration), uniform(batch.model(), 0, 0, 0));
 }
 
-TEST(TimeIntegration, APackedCellTakesItsPastAlong) {
-  LoadedCell cell;
+TEST_P(TimeIntegration, APackedCellTakesItsPastAlong) {
+  LoadedCell cell(back_end);
   Batch& batch = cell.batch;
   batch.step(3);
   std::vector<double> packed(static_cast<std::size_t>(batch.pack_length()));
@@ -270,8 +278,8 @@ void expect_refused(Batch& batch, const char* part) {
   EXPECT_EQ(batch.state_hash(0), hash);
 }
 
-TEST(TimeIntegration, Bdf2IsRefusedInAFluidAndForTheLineage) {
-  Batch batch(testing::red_cell_model(2, 1), "reference", 2);
+TEST_P(TimeIntegration, Bdf2IsRefusedInAFluidAndForTheLineage) {
+  Batch batch(testing::red_cell_model(2, 1), back_end, 2);
   batch.options().integrator = Integrator::bdf2;
   batch.write(Field::ambient_mass, 1, 1, testing::fluid_mass(batch.model()));
   expect_refused(batch, "cell 1 has the ambient_mass");

@@ -63,8 +63,8 @@ inline Material material_of(const std::string& name) {
   return material;
 }
 
-inline const std::vector<std::string> materials{"rbc",         "palabos-rbc", "platelet",  "palabos-platelet",
-                                                "yeoh",        "wlc",         "juelicher", "cotangent",
+inline const std::vector<std::string> materials{"rbc",         "palabos-rbc", "platelet",         "palabos-platelet",
+                                                "yeoh",        "wlc",         "juelicher",        "cotangent",
                                                 "neo_hookean", "viscous",     "smooth local area"};
 
 /// A cell of 66 vertices in the shape that its material is made for.

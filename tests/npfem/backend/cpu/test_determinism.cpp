@@ -52,25 +52,28 @@ void prepare(Batch& batch, int cell, int who, bool with_fluid) {
   }
 }
 
+enum class Method { implicit_euler, bdf2, lineage };
+
 struct Population {
   CpuSetting setting;
+  Method method = Method::implicit_euler;
   int threads = 1;
-  int integrator = Integrator::implicit_euler;
-  std::shared_ptr<const Model> model = testing::cell_of("rbc");
+  std::shared_ptr<const Model> model = testing::cell_of(method == Method::lineage ? "palabos-rbc" : "rbc");
 
   std::unique_ptr<Batch> batch_of(const std::vector<int>& who) const {
     auto batch = std::make_unique<Batch>(model, setting.back_end(), static_cast<int>(who.size()));
     setting.apply(batch->options());
     batch->options().threads = threads;
-    batch->options().integrator = integrator;
+    batch->options().integrator = method == Method::bdf2 ? Integrator::bdf2 : Integrator::implicit_euler;
+    batch->options().lineage = method == Method::lineage;
+    batch->options().lineage_alpha = 0.9;
+    batch->options().lineage_beta = 0.01;
     batch->options().max_iterations = 12;  // some end at it
     batch->options().newton_iterations = 4;
     for (std::size_t c = 0; c < who.size(); ++c) add(*batch, static_cast<int>(c), who[c]);
     return batch;
   }
-  void add(Batch& batch, int cell, int who) const {
-    prepare(batch, cell, who, integrator == Integrator::implicit_euler);
-  }
+  void add(Batch& batch, int cell, int who) const { prepare(batch, cell, who, method == Method::implicit_euler); }
   /// Hash of every cell after `steps` steps, those that fail included.
   std::vector<std::uint64_t> hashes(const std::vector<int>& who) const {
     const auto batch = batch_of(who);
@@ -119,9 +122,8 @@ TEST_P(CpuDeterminism, AnyNumberOfThreads) {
 }
 
 TEST_P(CpuDeterminism, AnyOrderAndAnyNumberOfCells) {
-  for (const int integrator : {Integrator::implicit_euler, Integrator::bdf2}) {
-    Population cells{GetParam()};
-    cells.integrator = integrator;
+  for (const Method method : {Method::implicit_euler, Method::bdf2, Method::lineage}) {
+    const Population cells{GetParam(), method};
     std::vector<int> who = several_blocks();
     const auto expected = cells.hashes(who);
     std::mt19937 random(1);
@@ -131,7 +133,7 @@ TEST_P(CpuDeterminism, AnyOrderAndAnyNumberOfCells) {
       const auto found = cells.hashes(who);
       for (std::size_t c = 0; c < who.size(); ++c)
         EXPECT_EQ(found[c], expected[static_cast<std::size_t>(who[c])])
-            << "cell " << who[c] << " at " << c << " of " << count << ", integrator " << integrator;
+            << "cell " << who[c] << " at " << c << " of " << count << ", method " << static_cast<int>(method);
     }
   }
 }
