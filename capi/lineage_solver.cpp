@@ -155,9 +155,10 @@ void LineageSolver::edit_vertex_force(int force_id, const Point& force, int vert
 std::unique_ptr<Batch> LineageSolver::build(const Dynamics& dynamics, const std::vector<Point>& rest) const {
   auto model =
       std::make_shared<const Model>(build_lineage_model(rest, elements_, {dynamics.density, dynamics.volume_weight}));
-  auto cell = std::make_unique<Batch>(std::move(model), "reference", 1);
+  auto cell = std::make_unique<Batch>(std::move(model), "cpu", 1);
   SolverOptions& options = cell->options();
   options.lineage = true;
+  options.lone_cells = 1;  // a CAD host moves one cell and waits for it
   set_option(options, "time_step", dynamics.time_step);
   set_option(options, "lineage_alpha", dynamics.alpha);
   set_option(options, "lineage_beta", dynamics.beta);

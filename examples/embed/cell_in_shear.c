@@ -56,7 +56,7 @@ int main(void) {
   const int32_t material = check(npfem_material_preset("rbc"));
   const int32_t mesh = check(npfem_material_mesh(material, 3));
   const int32_t model = check(npfem_model_create(mesh, material));
-  const int32_t cell = check(npfem_batch_create(model, "reference", 1));
+  const int32_t cell = check(npfem_batch_create(model, "cpu", 1));
   const int32_t n = check(npfem_model_vertex_count(model));
 
   double* position = allocate(3 * n);

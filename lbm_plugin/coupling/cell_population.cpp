@@ -52,7 +52,7 @@ CellPopulation::CellPopulation(const Setup& setup, Communicator& communicator, c
 void CellPopulation::create_batches(double delta) {
   for (const CellType& type : setup_.types) {
     require_shape(type);
-    Kind created{api::Batch(*type.model, "reference", 0),
+    Kind created{api::Batch(*type.model, "cpu", 0),
                  static_cast<std::size_t>(type.model->vertices()),
                  {},
                  type.model->get("solid_mass"),

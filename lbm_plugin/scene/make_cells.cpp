@@ -20,7 +20,7 @@ api::Mesh mesh_of(const CellsRequest& request, const api::Material& material) {
 
 /// The unloaded cell about the origin: at rest under its own forces, whatever shape its mesh had.
 std::vector<double> relaxed_shape(const api::Model& model, const CellsRequest& request) {
-  api::Batch cell(model, "reference", 1);
+  api::Batch cell(model, "cpu", 1);
   if (cell.relax() > 0) {
     request.table.fail("material",
                        "a cell \"" + request.name + "\" left alone does not come to rest: " + cell.status_text(0));
@@ -33,7 +33,7 @@ std::vector<double> relaxed_shape(const api::Model& model, const CellsRequest& r
 }
 
 void require_valid_options(const api::Model& model, const Scene& scene) {
-  api::Batch none(model, "reference", 0);
+  api::Batch none(model, "cpu", 0);
   for (const auto& [key, value] : scene.solver_options) none.set(key, value);
 }
 

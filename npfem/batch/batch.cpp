@@ -299,7 +299,15 @@ double Batch::measure(std::string_view key, int cell) const {
                                          "evaluate first");
   }
   if (key.substr(0, 6) == "energy") return measure_energy(*model_, key, backend_->energies(cell));
+  if (key == "evaluations") return backend_->report(cell).evaluations;
+  if (key == "hessian_iterations") return backend_->report(cell).hessian_iterations;
+  if (key == "flops") return operations_of_last_step(cell);
   return measure_shape(*model_, key, field_of(Field::position, cell));
+}
+
+double Batch::operations_of_last_step(int cell) const {
+  if (!operations_) operations_ = count_operations(*model_);
+  return operations_of_step(*operations_, options_, backend_->report(cell));
 }
 
 std::uint64_t Batch::state_hash(int cell) const {

@@ -4,12 +4,14 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "backend/backend.h"
+#include "batch/operation_count.h"
 
 namespace npfem {
 
@@ -65,12 +67,14 @@ class Batch {
   void forget_past(int cell);
   int num_failed() const;
   std::vector<double> field_of(Field field, int cell) const;
+  double operations_of_last_step(int cell) const;
 
   std::shared_ptr<const Model> model_;
   std::unique_ptr<Backend> backend_;
   SolverOptions options_;
   std::vector<Patch> patches_;
-  bool energies_are_current_ = false;  ///< no cell has moved since evaluate()
+  bool energies_are_current_ = false;                 ///< no cell has moved since evaluate()
+  mutable std::optional<OperationCount> operations_;  ///< of the model; counted when first asked for
   std::atomic<bool> stop_{false};
 };
 

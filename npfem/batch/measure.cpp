@@ -23,10 +23,11 @@ double measure_shape(const Model& model, std::string_view key, std::span<const d
     const auto axis = static_cast<std::size_t>(key[7] - 'x');
     if (axis < 3) return key[0] == 'e' ? extents(mesh)[axis] : mean_position(mesh)[axis];
   }
-  throw Error(Status::unknown_name,
-              "no measure \"" + std::string(key) + "\"" +
-                  text::suggestion(key, {"volume", "area", "extent_x", "extent_y", "extent_z", "centre_x", "centre_y",
-                                         "centre_z", "energy", "energy:<name>"}));
+  throw Error(
+      Status::unknown_name,
+      "no measure \"" + std::string(key) + "\"" +
+          text::suggestion(key, {"volume", "area", "extent_x", "extent_y", "extent_z", "centre_x", "centre_y",
+                                 "centre_z", "evaluations", "hessian_iterations", "flops", "energy", "energy:<name>"}));
 }
 
 double measure_energy(const Model& model, std::string_view key, std::span<const double> energies) {

@@ -30,7 +30,7 @@ def _field(name, doc):
 
 
 class Batch(Parameterised):
-    """Cells of one model: Batch(model, cells=1, backend="reference").
+    """Cells of one model: Batch(model, cells=1, backend="cpu").
 
     Options by key, as for a material: `batch["time_step"] = 0.5`. Fields as attributes, of shape (cells, vertices, 3)
     or (cells, vertices); get() and set() take a range of cells. Per-cell results (`status`, measure()) have one entry
@@ -48,7 +48,7 @@ class Batch(Parameterised):
     elastic_force = property(lambda batch: batch.get("elastic_force"),
                              doc="-dE/dx at the positions of the last evaluate(), pN.")
 
-    def __init__(self, model, cells=1, backend="reference"):
+    def __init__(self, model, cells=1, backend="cpu"):
         super().__init__(call("npfem_batch_create", model.handle, backend.encode(), cells))
         self.vertex_count = model.vertex_count
         self.triangles = model.triangles
@@ -138,7 +138,8 @@ class Batch(Parameterised):
 
     def measure(self, key):
         """One number per cell: "volume" um3, "area" um2, "extent_x" "extent_y" "extent_z" um, "centre_x" "centre_y"
-        "centre_z" um, "energy" pN um, "energy:<name>" pN um for one of `energies`."""
+        "centre_z" um, "energy" pN um, "energy:<name>" pN um for one of `energies`; of the last step
+        "evaluations", "hessian_iterations" and "flops"."""
         return self._per_cell("npfem_batch_measure", "d", key.encode())
 
     @property

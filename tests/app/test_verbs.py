@@ -10,7 +10,7 @@ def test_version_and_help(program):
     assert program("version").stdout.startswith("npfem 0.")
     help_text = program("--help")
     assert help_text.returncode == 0
-    for verb in ("run", "plan", "validate", "mesh", "inspect", "keys", "version", "stretch"):
+    for verb in ("run", "plan", "validate", "mesh", "inspect", "bench", "keys", "version", "stretch"):
         assert verb in help_text.stdout
 
 

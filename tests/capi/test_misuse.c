@@ -323,7 +323,7 @@ static void misuse_batches(const struct Objects* o) {
         "npfem_batch_measure: no measure \"extent_w\"; did you mean "
         "\"extent_x\"? allowed: volume, area, extent_x, "
         "extent_y, "
-        "extent_z, centre_x, centre_y, centre_z, energy, energy:<name>");
+        "extent_z, centre_x, centre_y, centre_z, evaluations, hessian_iterations, flops, energy, energy:<name>");
   FAILS(npfem_batch_measure(o->batch, NULL, 0, 1, &number, 1), NPFEM_ERROR_ARGUMENT,
         "npfem_batch_measure: key is NULL");
   FAILS(npfem_batch_pack(o->batch, 0, load, 3), NPFEM_ERROR_ARGUMENT,

@@ -141,7 +141,8 @@ NPFEM_API int32_t npfem_model_energy_name(int32_t model, int32_t index, char* bu
 
 /* ---- batch: cells of one model on one back end ---------------------------------------------------------------------- */
 
-/* `backend`: "reference". New cells have the initial shape, at rest, at the origin. */
+/* `backend`: "cpu", the fast one: cells in the SIMD lanes, for the best instruction set of this machine ("cpu-avx512",
+ * "cpu-avx2", "cpu-baseline" ask for one); or "reference": one thread, double, the specification. New cells have the initial shape, at rest, at the origin. */
 NPFEM_API int32_t npfem_batch_create(int32_t model, const char* backend, int32_t cells);
 NPFEM_API int32_t npfem_batch_cell_count(int32_t batch);
 /* Appends cells; returns the index of the first new one. */
@@ -194,7 +195,9 @@ NPFEM_API int32_t npfem_batch_get_residual(int32_t batch, int32_t first, int32_t
 NPFEM_API int32_t npfem_batch_status_text(int32_t batch, int32_t cell, char* buffer, int32_t capacity);
 /* Measures, one number per cell: "volume" um3, "area" um2, "extent_x" "extent_y" "extent_z" um, "centre_x" "centre_y"
  * "centre_z" um (mean of the vertices); after npfem_batch_evaluate() also "energy" pN um and "energy:<name>" pN um for
- * one energy of the model. */
+ * one energy of the model. Of the last step: "evaluations" of the objective (method "lineage": trials of its line
+ * searches), "hessian_iterations" (those guided by the Hessian of the rest shape) and "flops", the floating-point
+ * operations it took (add, multiply, divide, root: 1 each) under the options as they are now. */
 NPFEM_API int32_t npfem_batch_measure(int32_t batch, const char* key, int32_t first, int32_t count, double* values,
                                       int32_t length);
 /* 64-bit hash of the state (positions, velocities, held forces, lags) of each cell; equal bits, equal hash. */

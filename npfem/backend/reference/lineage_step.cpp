@@ -49,6 +49,7 @@ class LineageObjective {
   }
 
   double operator()(const VertexField& x, VertexField& gradient) const {
+    ++evaluations_;
     const VertexField departure = x - inertial_;
     gradient = damped_mass_ * departure;
     double value = 0.5 * inner(departure, gradient);
@@ -61,12 +62,14 @@ class LineageObjective {
     }
     return value;
   }
+  int evaluations() const { return evaluations_; }
 
  private:
   const Model& model_;
   const VertexField& inertial_;
   std::vector<Contact> contacts_;
   Eigen::SparseMatrix<double> damped_mass_;
+  mutable int evaluations_ = 0;
 };
 
 /// Sample standard deviation over mean of the values, once there are `window` of them.
@@ -155,6 +158,7 @@ void lineage_step(const Model& model, const LineageFactors& factors, std::span<c
     if (scatter_is_small(recent, options.lineage_window, options.lineage_tolerance)) break;
     if (failed_searches >= options.lineage_attempts) break;
   }
+  report.evaluations = objective.evaluations() - 1;  // trials of the line searches
   report.residual = gradient.cwiseAbs().maxCoeff();
   if (!x.allFinite() || !std::isfinite(value)) {
     report.status = CellStatus::not_finite;
