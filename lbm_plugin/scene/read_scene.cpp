@@ -59,6 +59,11 @@ std::vector<std::pair<std::string, double>> read_solver(const Table& table) {
   if (table.has(keys::max_iterations)) {
     options.emplace_back("max_iterations", within(table, keys::max_iterations, 1, 1000000));
   }
+  if (table.has(keys::newton_iterations)) {
+    options.emplace_back("newton_iterations", within(table, keys::newton_iterations, 0, 1000000));
+  }
+  const std::string precision = table.choice(keys::precision);
+  options.emplace_back("precision", precision == "double" ? 0 : precision == "mixed" ? 1 : 2);
   return options;
 }
 

@@ -230,6 +230,20 @@ inline constexpr Key max_iterations{.name = "max_iterations",
                                     .range = Range::positive,
                                     .fallback = optional,
                                     .doc = "Iterations allowed in one step of a cell. Default: the cell solver's."};
+inline constexpr Key newton_iterations{.name = "newton_iterations",
+                                       .kind = Kind::integer,
+                                       .range = Range::non_negative,
+                                       .fallback = optional,
+                                       .doc =
+                                           "Iterations of Newton's method allowed after those; 0: none. Default: the "
+                                           "cell solver's."};
+inline constexpr Key precision{.name = "precision",
+                               .kind = Kind::choice,
+                               .choices = "double mixed float",
+                               .fallback = "double",
+                               .doc =
+                                   "Numbers of the cell solver; `mixed`: single precision for matrices and search "
+                                   "history only."};
 
 // [run]
 inline constexpr Key steps{.name = "steps",

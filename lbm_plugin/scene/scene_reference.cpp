@@ -28,7 +28,10 @@ std::vector<SceneSection> scene_sections() {
        "[repulsion]",
        "Keeps surfaces apart where the flow presses them together.",
        {range, strength, wall_range, wall_strength}},
-      {"solver", "[solver]", "Of the cells.", {tolerance, residual_bound, max_iterations}},
+      {"solver",
+       "[solver]",
+       "Of the cells.",
+       {tolerance, residual_bound, max_iterations, newton_iterations, precision}},
       {"run", "[run]", "", {steps, time}},
       {"output", "[output]", "", {cells, cells_every, fluid, fluid_every, table_every, into_box}},
   };

@@ -85,6 +85,21 @@ double count_cell_terms(const Model& model, bool area, bool volume) {
   return static_cast<double>(counter) + (area ? 2 * unknowns : 0) + (volume ? 4 * unknowns : 0);
 }
 
+/// One group with its energy added and its additions at the vertices.
+template <class G>
+long count_group(const Model& model, const GroupBlock<G>& block, std::size_t g) {
+  long counter = 0;
+  Vec3<Counted> x[G::max_vertices], gradient[G::max_vertices];
+  const std::span<const int> group = block.group(g);
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    const Point& p = model.initial[static_cast<std::size_t>(group[i])];
+    x[i] = {Counted(p[0], counter), Counted(p[1], counter), Counted(p[2], counter)};
+  }
+  const auto count = static_cast<int>(group.size());
+  G::energy_gradient(x, count, block.rest[g], block.params[g], gradient);
+  return counter + 1 + 3 * count;
+}
+
 double count_elastic(const Model& model) {
   std::vector<TriangleGroup> groups;
   if (!model.triangles.empty()) groups.push_back({&model.triangles, nullptr});
@@ -103,6 +118,10 @@ double count_elastic(const Model& model) {
     using E = typename decltype(tag)::type;
     const std::size_t size = model.block<E>().size();
     if (size > 0) add(size, count_element<E>(model) + 1 + 3 * E::num_vertices);
+  });
+  for_each_energy(GroupEnergies{}, [&](auto tag) {
+    const auto& block = model.group_block<typename decltype(tag)::type>();
+    for (std::size_t g = 0; g < block.size(); ++g) add(1, count_group(model, block, g));
   });
   bool area = false, volume = false;
   for_each_energy(CellEnergies{}, [&](auto tag) {

@@ -147,7 +147,8 @@ def test_more_ranks_than_the_grid_can_hold_is_bad_input(program, scene, tmp_path
 def test_a_cell_that_cannot_be_solved_is_named(program, scene, tmp_path):
     folder = tmp_path / "out"
     result = program("run", scene, "-o", folder, "--set", "solver.max_iterations=1", "--set",
-                     "solver.tolerance=1e-9 pN", "--set", "solver.residual_bound=1e-9 pN")
+                     "solver.tolerance=1e-9 pN", "--set", "solver.residual_bound=1e-9 pN", "--set",
+                     "solver.newton_iterations=0")
     assert result.returncode == 3, result.stderr
     assert "npfem: cell 0 (rbc) failed in step" in result.stderr
     summary = summary_of(folder)

@@ -89,8 +89,9 @@ class ReferenceRuns : public testing::Test {
 TEST_F(ReferenceRuns, ABatchInLineageModeTakesTheSameStepsBitForBit) {
   const auto folder = shared_data() / "Case_Studies" / "RBC_Surface_mesh_258SurfVer";
   const npfem::api::Model model = npfem::api::Model::load_lineage(folder.string(), 1125, 250);
-  npfem::api::Batch batch(model, "reference", 1);
+  npfem::api::Batch batch(model, "cpu", 1);
   batch.set("method", std::string("lineage"));
+  batch.set("lone_cells", 1);
   batch.set("time_step", 0.25);
   batch.set("lineage_alpha", 0.9);
   batch.set("lineage_beta", 0.01);

@@ -139,7 +139,11 @@ void CpuBackend::find_mass_sets() {
 const StepFactors& CpuBackend::factors(const FactorKey& key, bool with_hessian) {
   for (auto cached = factors_.begin(); cached != factors_.end(); ++cached) {
     if (!((*cached)->key() == key)) continue;
-    if ((*cached)->has_hessian() || !with_hessian) return **cached;
+    if ((*cached)->has_hessian() || !with_hessian) {
+      // The last used is the last to go: a step holds several at once.
+      std::rotate(cached, cached + 1, factors_.end());
+      return *factors_.back();
+    }
     factors_.erase(cached);
     break;
   }

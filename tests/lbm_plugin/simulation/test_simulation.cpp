@@ -157,7 +157,7 @@ TEST(Simulation, SolvesTheCellsEverySoManyFluidSteps) {
 TEST(Simulation, NamesACellThatFailsAndKeepsIt) {
   SerialCommunicator self;
   flow::Setup setup = two_cells_in_shear();
-  setup.types[1].options = {{"tolerance", 0.0}, {"residual_bound", 0.0}, {"max_iterations", 1}};
+  setup.types[1].options = {{"tolerance", 0.0}, {"residual_bound", 0.0}, {"max_iterations", 1}, {"newton_iterations", 0}};
   Simulation simulation(setup, self);
   for (int i = 0; i < 5; ++i) simulation.step();
   ASSERT_EQ(simulation.failures().size(), 1u) << "named once, when it fails first";

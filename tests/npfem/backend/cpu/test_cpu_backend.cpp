@@ -100,6 +100,38 @@ TEST(CpuBackend, TheRestShapeHessianIsLeftFarFromRest) {
   EXPECT_EQ(batch.report(0).hessian_iterations, 0);
 }
 
+TEST(CpuBackend, AStepInFloatEndsWhereItsRoundingBegins) {
+  // Total area and volume resist far more than any element: the rounding of their forces must not be iterated on.
+  for (const std::string& set : cpu::instruction_sets()) {
+    Batch batch(testing::cell_of("rbc"), "cpu-" + set, 1);
+    batch.options().precision = 2;
+    batch.options().newton_iterations = 0;
+    testing::set_in_motion(batch, 0, 3, 0.002);
+    for (int s = 0; s < 20; ++s) {
+      EXPECT_EQ(batch.step(1), 0);
+      EXPECT_EQ(batch.report(0).status, CellStatus::converged) << set << ", " << batch.status_text(0);
+      EXPECT_LE(batch.report(0).iterations, 6) << set;
+    }
+  }
+}
+
+TEST(CpuBackend, StepsOfManyLengthsInTurn) {
+  // A step by BDF2 needs the matrices of cells with and without a past at once, whatever others there were.
+  const auto moved = [](const char* back_end) {
+    Batch batch(testing::cell_of("rbc"), back_end, 2);
+    batch.options().integrator = Integrator::bdf2;
+    batch.options().tolerance = 1e-9;
+    testing::set_in_motion(batch, 0, 3, 0.002);
+    for (int s = 0; s < 24; ++s) {
+      batch.options().time_step = 0.1 * (1 + s % 5) * (s % 2 == 0 ? 1 : 1.5);
+      if (s % 4 == 0) testing::set_in_motion(batch, 1, 4, 0.002);  // a new motion has no past
+      EXPECT_EQ(batch.step(1), 0);
+    }
+    return get(batch, Field::position, 1);
+  };
+  EXPECT_LT(testing::largest_difference(moved("cpu"), moved("reference")), 1e-9);
+}
+
 TEST(CpuBackend, MomentumClosesWhateverTheTolerance) {
   // Sum of F = sum of f_ext - d(own momentum)/dt, even where the solve is stopped early: to the rounding of forces.
   const double bound[] = {1e-12, 1e-12, 1e-6};
