@@ -112,7 +112,7 @@ TEST_P(CpuDeterminism, CellsOfEveryLot) {
 }
 
 TEST_P(CpuDeterminism, AnyNumberOfThreads) {
-  const auto who = first_cells(16 * cpu::kernels(GetParam().instruction_set)->float_lanes - 3);
+  const auto who = first_cells(8 * cpu::kernels(GetParam().instruction_set)->float_lanes - 3);
   Population cells{GetParam()};
   const auto alone = cells.hashes(who);
   for (const int threads : {2, 4, 8, 16}) {
