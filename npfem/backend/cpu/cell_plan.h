@@ -128,7 +128,6 @@ struct CellPlan {
   const int (*surface)[3] = nullptr;         ///< those triangles
   int num_surface_triangles = 0;
   R stiffest_diagonal = 0;  ///< of the weight matrix, pN/um: how large elastic forces get per um
-  R whole_cell_force = 0;   ///< what total area and volume add to stiffness times size (precision_check.h), pN
   R viscous_diagonal = 0;   ///< the same of the viscous weight, pN us/um
 };
 

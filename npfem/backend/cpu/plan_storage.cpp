@@ -5,8 +5,6 @@
 #include <array>
 #include <cstring>
 
-#include "backend/cpu/precision_check.h"
-
 namespace npfem::cpu {
 namespace {
 
@@ -178,7 +176,6 @@ PlanStorage<R>::PlanStorage(const Model& model, std::span<const int> order) : ra
   plan_.num_vertices = model.num_vertices();
   plan_.rest = {static_cast<R>(model.rest.area), static_cast<R>(model.rest.volume)};
   plan_.stiffest_diagonal = static_cast<R>(Eigen::VectorXd(model.weight.diagonal()).maxCoeff());
-  if (sizeof(R) == sizeof(float)) plan_.whole_cell_force = static_cast<R>(stiffest_force(model).whole_cell);
 
   // The surface comes first: membrane laws upon the same triangles join it.
   TriangleGroup<MembraneEnergies, R> surface;

@@ -36,15 +36,14 @@ StiffestForce stiffest_force(const Model& model) {
     auto component = about_centre(Eigen::seqN(axis, n, 3));
     component.array() -= component.mean();
   }
-  StiffestForce stiffest{model.weight.diagonal().maxCoeff(), about_centre.cwiseAbs().maxCoeff(), 0, 0};
-  const double local = stiffest.stiffness * stiffest.reach;
+  StiffestForce stiffest{model.weight.diagonal().maxCoeff(), about_centre.cwiseAbs().maxCoeff(), 0};
+  stiffest.force = stiffest.stiffness * stiffest.reach;
   for (const GlobalStiffness& term :
        global_stiffness(model, {model.initial.front().data(), static_cast<std::size_t>(3 * n)})) {
     const double steepest = term.direction.cwiseAbs().maxCoeff(), k = std::abs(term.stiffness);
     stiffest.stiffness += k * steepest * steepest;
-    stiffest.whole_cell += k * steepest * std::abs(term.direction.dot(about_centre));
+    stiffest.force += k * steepest * std::abs(term.direction.dot(about_centre));
   }
-  stiffest.force = local + stiffest.whole_cell;
   return stiffest;
 }
 

@@ -15,7 +15,6 @@ struct StiffestForce {
   /// Largest force between vertices that cancels in the sum, pN: |K| |x| of the second derivative K. Positions in
   /// single precision are known to a share of 1.2e-7, and forces therefore to that share of this one.
   double force;
-  double whole_cell;  ///< the part of it by total area and volume, pN
 };
 
 StiffestForce stiffest_force(const Model& model);

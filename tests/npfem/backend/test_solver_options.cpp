@@ -85,7 +85,7 @@ TEST(SolverOptions, EachChangesTheResult) {
                                               {"matrix", 1},
                                               {"lone_cells", 1}};
   for (const OptionInfo& info : solver_options()) {
-    if (std::string(info.key) == "threads") continue;  // changes nothing: test_cpu_backend.cpp
+    if (std::string(info.key) == "threads") continue;  // changes nothing: cpu/test_determinism.cpp
     const std::string doc = info.doc;
     const char* const backend = doc.starts_with("back end cpu") ? "cpu" : "reference";
     SolverOptions options;

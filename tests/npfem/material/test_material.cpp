@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <random>
 #include <set>
 
@@ -92,6 +93,20 @@ TEST(Material, KeepsWhatIsSetAndRefusesTheRest) {
             "wlc, lineage");
   EXPECT_EQ(material.get("shear_modulus"), 2.5) << "unchanged by what was refused";
   EXPECT_EQ(material.get_text("membrane_law"), "skalak");
+}
+
+TEST(Material, EveryNumberRefusesWhatIsOutsideItsRangeAndSaysWhich) {
+  for (const ParamInfo& info : Material::params()) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double value : {std::nextafter(info.min, -infinity), std::nextafter(info.max, infinity), infinity,
+                               -infinity, std::numeric_limits<double>::quiet_NaN()}) {
+      Material material;
+      const std::string text = message_of([&] { material.set(info.key, value); });
+      EXPECT_TRUE(text.starts_with(std::string(info.key) + " = ")) << info.key << ": " << text;
+      EXPECT_NE(text.find("is outside"), std::string::npos) << text;
+      EXPECT_EQ(material.get(info.key), info.fallback);
+    }
+  }
 }
 
 TEST(MaterialFile, TellsTheLine) {

@@ -184,9 +184,12 @@ TEST(BuildModel, RefusesAMaterialWithoutEnergy) {
 }
 
 TEST(BuildModel, RefusesALawWithoutModulus) {
-  Material material;
-  material.set_text("membrane_law", "skalak");
-  EXPECT_THROW(build_model(octahedral_sphere(1), material), Error);
+  for (const char* law : {"skalak", "neo_hookean", "yeoh", "wlc"}) {
+    Material material;
+    material.set_text("membrane_law", law);
+    EXPECT_EQ(refusal(octahedral_sphere(1), material), "material \"unnamed\": membrane_law \"" + std::string(law) +
+                                                           "\" needs a positive shear_modulus (uN/m), found 0");
+  }
 }
 
 /// The text of the error with which `build` ends.

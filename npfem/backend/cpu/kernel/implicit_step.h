@@ -262,8 +262,7 @@ class ImplicitStep {
     const R ulps = sizeof(R) == 8 ? R(32) : R(2);
     const P motion = Shape::largest(inertia) + plan_.viscous_diagonal * static_cast<R>(1 / settings_.lead);
     const P attainable =
-        ulps * epsilon<R> *
-        (motion * Shape::largest(drift) + plan_.stiffest_diagonal * Shape::largest(reach) + plan_.whole_cell_force);
+        ulps * epsilon<R> * (motion * Shape::largest(drift) + plan_.stiffest_diagonal * Shape::largest(reach));
     return larger(P(static_cast<R>(settings_.tolerance)), attainable);
   }
 

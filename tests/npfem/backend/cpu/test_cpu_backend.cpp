@@ -100,21 +100,6 @@ TEST(CpuBackend, TheRestShapeHessianIsLeftFarFromRest) {
   EXPECT_EQ(batch.report(0).hessian_iterations, 0);
 }
 
-TEST(CpuBackend, AStepInFloatEndsWhereItsRoundingBegins) {
-  // Total area and volume resist far more than any element: the rounding of their forces must not be iterated on.
-  for (const std::string& set : cpu::instruction_sets()) {
-    Batch batch(testing::cell_of("rbc"), "cpu-" + set, 1);
-    batch.options().precision = 2;
-    batch.options().newton_iterations = 0;
-    testing::set_in_motion(batch, 0, 3, 0.002);
-    for (int s = 0; s < 20; ++s) {
-      EXPECT_EQ(batch.step(1), 0);
-      EXPECT_EQ(batch.report(0).status, CellStatus::converged) << set << ", " << batch.status_text(0);
-      EXPECT_LE(batch.report(0).iterations, 6) << set;
-    }
-  }
-}
-
 TEST(CpuBackend, StepsOfManyLengthsInTurn) {
   // A step by BDF2 needs the matrices of cells with and without a past at once, whatever others there were.
   const auto moved = [](const char* back_end) {

@@ -58,6 +58,7 @@ struct Population {
   CpuSetting setting;
   Method method = Method::implicit_euler;
   int threads = 1;
+  int newton_iterations = 4;
   std::shared_ptr<const Model> model = testing::cell_of(method == Method::lineage ? "palabos-rbc" : "rbc");
 
   std::unique_ptr<Batch> batch_of(const std::vector<int>& who) const {
@@ -69,7 +70,7 @@ struct Population {
     batch->options().lineage_alpha = 0.9;
     batch->options().lineage_beta = 0.01;
     batch->options().max_iterations = 12;  // some end at it
-    batch->options().newton_iterations = 4;
+    batch->options().newton_iterations = newton_iterations;
     for (std::size_t c = 0; c < who.size(); ++c) add(*batch, static_cast<int>(c), who[c]);
     return batch;
   }
@@ -112,12 +113,16 @@ TEST_P(CpuDeterminism, CellsOfEveryLot) {
 }
 
 TEST_P(CpuDeterminism, AnyNumberOfThreads) {
-  const auto who = first_cells(16 * cpu::kernels(GetParam().instruction_set)->float_lanes - 3);
-  Population cells{GetParam()};
-  const auto alone = cells.hashes(who);
-  for (const int threads : {2, 4, 8, 16}) {
-    cells.threads = threads;
-    EXPECT_EQ(cells.hashes(who), alone) << threads << " threads";
+  // Blocks for sixteen threads without Newton's method; a few with it, which gives a cell to each thread.
+  const auto blocks_of_16 = first_cells(16 * cpu::kernels(GetParam().instruction_set)->float_lanes - 3);
+  for (const auto& [who, newton_iterations] : {std::pair{blocks_of_16, 0}, {several_blocks(), 4}}) {
+    Population cells{GetParam()};
+    cells.newton_iterations = newton_iterations;
+    const auto alone = cells.hashes(who);
+    for (const int threads : {2, 4, 8, 16}) {
+      cells.threads = threads;
+      EXPECT_EQ(cells.hashes(who), alone) << threads << " threads";
+    }
   }
 }
 
