@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -30,6 +30,7 @@ struct CpuSetting {
     const char* const precisions[] = {"double", "mixed", "float"};
     return instruction_set + " " + precisions[precision] + (lone ? " lone cells" : " cells in lanes");
   }
+  friend void PrintTo(const CpuSetting& setting, std::ostream* out) { *out << setting.name(); }
 };
 
 /// All of them that this machine runs.
