@@ -66,7 +66,8 @@ TEST(MakeCells, RatioCountsCellsOfAnotherType) {
 
 TEST(MakeCells, SolverOptionsReachTheCells) {
   const Scene scene = made(with(shear_scene, "[run]", "[solver]\ntolerance = \"1e-3 pN\"\nmax_iterations = 77\n[run]"));
-  const std::vector<std::pair<std::string, double>> expected{{"tolerance", 1e-3}, {"max_iterations", 77}};
+  const std::vector<std::pair<std::string, double>> expected{
+      {"tolerance", 1e-3}, {"max_iterations", 77}, {"precision", 0}};
   EXPECT_EQ(scene.setup.types.at(0).options, expected);
 }
 

@@ -86,7 +86,7 @@ TEST(SameBits, WithTheExplicitCoupling) {
 
 TEST(Failures, AreKnownToEveryRank) {
   flow::Setup setup = scene(DomainKind::shear_box, CouplingScheme::implicit, 1);
-  setup.types[1].options = {{"tolerance", 0.0}, {"residual_bound", 0.0}, {"max_iterations", 1}};
+  setup.types[1].options = {{"tolerance", 0.0}, {"residual_bound", 0.0}, {"max_iterations", 1}, {"newton_iterations", 0}};
   Simulation simulation(setup, world());
   for (int i = 0; i < 3; ++i) simulation.step();
   ASSERT_EQ(simulation.failures().size(), 2u);
