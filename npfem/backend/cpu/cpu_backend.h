@@ -76,6 +76,7 @@ class CpuBackend final : public Backend {
   void step_block(const StepPlan<R, H>& step, const BlockOfCells& cells, ThreadScratch& scratch);
   template <class R, class H>
   void step_stragglers(const StepPlan<R, H>& step, int threads);
+  bool takes_newton(const SolverOptions& options, CellStatus status) const;
   void finish_by_newton(const SolverOptions& options);
 
   std::shared_ptr<const Model> model_;
@@ -88,7 +89,7 @@ class CpuBackend final : public Backend {
 
   std::unique_ptr<PlanStorage<double>> plan_double_;
   std::unique_ptr<PlanStorage<float>> plan_float_;
-  std::optional<StiffestForce> stiffest_;  // known from the first step in float
+  std::optional<StiffestForce> stiffest_;        // known from the first step in float
   std::vector<double> solid_mass_, rest_shape_;  // in the kernels' order
 
   std::vector<std::vector<double>> mass_sets_;  // ambient masses that occur, in the kernels' order

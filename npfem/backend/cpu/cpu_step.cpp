@@ -74,7 +74,7 @@ std::vector<CpuBackend::StepKind<H>> CpuBackend::kinds_of_step(const SolverOptio
   for (const bool past : {false, true}) {
     if (past && options.integrator != Integrator::bdf2) continue;
     StepSettings settings = settings_from(options, past ? bdf2_differencing(options) : euler_differencing(options));
-    settings.leave_short = needs_newton(*model_, options, CellStatus::iteration_cap);
+    settings.leave_short = takes_newton(options, CellStatus::iteration_cap);
     for (int set = 0; set < static_cast<int>(mass_sets_.size()); ++set) {
       const FactorKey key = options.lineage
                                 ? FactorKey{options.time_step, -1, 1 + options.lineage_beta / options.time_step}
@@ -257,11 +257,19 @@ void CpuBackend::step(const SolverOptions& options) {
   if (!options.lineage) finish_by_newton(options);
 }
 
+/// In single precision a cell may stop short of the tolerance because its digits end there; double would not help it in
+/// the next step, so only one that would fail is worth Newton's price.
+bool CpuBackend::takes_newton(const SolverOptions& options, CellStatus status) const {
+  constexpr int single_precision = 2;
+  if (options.precision == single_precision && !has_failed(status)) return false;
+  return needs_newton(*model_, options, status);
+}
+
 /// Cells that the kernels could not bring to the tolerance have not moved; Newton's method takes their step.
 void CpuBackend::finish_by_newton(const SolverOptions& options) {
   std::vector<int> left;
   for (int cell = 0; cell < num_cells(); ++cell) {
-    if (needs_newton(*model_, options, reports_[static_cast<std::size_t>(cell)].status)) left.push_back(cell);
+    if (takes_newton(options, reports_[static_cast<std::size_t>(cell)].status)) left.push_back(cell);
   }
   if (left.empty()) return;
   SolverOptions newton_only = options;

@@ -24,26 +24,39 @@ NPFEM_LANES_INLINE void add(P* field, int vertex, const Vec3<P>& value) {
   at[0] += value.x, at[1] += value.y, at[2] += value.z;
 }
 
+/// A sum that keeps what rounding cuts off (Kahan 1965), for single precision: stiff moduli of total area and volume
+/// multiply its error.
+template <class R, class P>
+struct RunningSum {
+  P sum = P(R(0)), cut_off = P(R(0));
+  NPFEM_LANES_INLINE void add(P term) {
+    const P next = sum + term;
+    if constexpr (sizeof(R) == sizeof(float)) cut_off += (sum - next) + term;
+    sum = next;
+  }
+  NPFEM_LANES_INLINE P total() const { return sum + cut_off; }
+};
+
 /// Sums over one cell, and where its gradients go (null: not wanted).
-template <class P>
+template <class R, class P>
 struct SurfaceSums {
-  P area, volume;
+  RunningSum<R, P> area, volume;
   P* area_gradient;
   P* volume_gradient;
 };
 
 template <class R, class P>
 NPFEM_LANES_INLINE void add_to_surface(const TriangleStrain<P>& s, const Vec3<P> (&x)[3], const int (&v)[3],
-                                       SurfaceSums<P>& sums) {
+                                       SurfaceSums<R, P>& sums) {
   if (sums.area_gradient) {
-    sums.area += R(0.5) * s.twice_area;
+    sums.area.add(R(0.5) * s.twice_area);
     const Vec3<P> at1 = R(0.5) * cross(s.e2, s.unit_normal), at2 = R(0.5) * cross(s.unit_normal, s.e1);
     add(sums.area_gradient, v[1], at1);
     add(sums.area_gradient, v[2], at2);
     add(sums.area_gradient, v[0], -(at1 + at2));
   }
   if (sums.volume_gradient) {
-    sums.volume += R(1.0 / 18) * dot(x[0] + x[1] + x[2], s.area_vector);
+    sums.volume.add(R(1.0 / 18) * dot(x[0] + x[1] + x[2], s.area_vector));
     const Vec3<P> share = R(1.0 / 6) * s.area_vector;
     for (int i = 0; i < 3; ++i) add(sums.volume_gradient, v[i], share);
   }
@@ -52,7 +65,7 @@ NPFEM_LANES_INLINE void add_to_surface(const TriangleStrain<P>& s, const Vec3<P>
 /// All membrane laws of a group of triangles in one pass: one strain serves them all.
 template <class R, class P>
 void triangle_forces(const cpu::TriangleGroup<MembraneEnergies, R>& group, const P* x, P* gradient, P* energies,
-                     SurfaceSums<P>& sums) {
+                     SurfaceSums<R, P>& sums) {
   for (int t = 0; t < group.count; ++t) {
     const int(&v)[3] = group.vertices[t];
     const TriangleRest<R>& rest = group.rest[t];
@@ -124,8 +137,8 @@ P elastic_forces(const cpu::CellPlan<R>& plan, const P* x, P* gradient, P* area_
                  P* energies) {
   const int n = 3 * plan.num_vertices;
   const P zero(R(0));
-  SurfaceSums<P> sums{zero, zero, plan.needs_area ? area_gradient : nullptr,
-                      plan.needs_volume ? volume_gradient : nullptr};
+  SurfaceSums<R, P> sums{
+      {}, {}, plan.needs_area ? area_gradient : nullptr, plan.needs_volume ? volume_gradient : nullptr};
   for (int i = 0; sums.area_gradient && i < n; ++i) area_gradient[i] = zero;
   for (int i = 0; sums.volume_gradient && i < n; ++i) volume_gradient[i] = zero;
   for (int g = 0; g < plan.num_groups; ++g) triangle_forces(plan.groups[g], x, gradient, energies, sums);
@@ -143,7 +156,7 @@ P elastic_forces(const cpu::CellPlan<R>& plan, const P* x, P* gradient, P* area_
           group_forces<G>(view, x, gradient, energies[cpu::first_group_energy + index_in<G>(GroupEnergies{})]);
       });
   if (plan.needs_area || plan.needs_volume) {
-    CellSums<P> cell{sums.area, sums.volume, zero};
+    CellSums<P> cell{sums.area.total(), sums.volume.total(), zero};
     for (int i = 0; sums.volume_gradient && i < n; ++i)
       cell.volume_gradient_square += volume_gradient[i] * volume_gradient[i];
     const CellResponse<P> response = cell_response(plan, cell, energies);

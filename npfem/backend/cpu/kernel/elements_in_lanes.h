@@ -88,7 +88,7 @@ struct ElementsInLanes {
   }
 
   static void triangles(const cpu::TriangleGroup<MembraneEnergies, R>& group, const R* x, R* gradient, P* energies,
-                        R* area_gradient, R* volume_gradient, P& area, P& volume) {
+                        R* area_gradient, R* volume_gradient, RunningSum<R, P>& area, RunningSum<R, P>& volume) {
     for (int t = 0; t < group.count; t += W) {
       const Gathered<3> g = gather<3>(group.vertices, t, group.count);
       Vec3<P> corner[3];
@@ -112,7 +112,7 @@ struct ElementsInLanes {
       add(g, gradient, slope);
       if (!group.is_surface) continue;
       if (area_gradient) {
-        area += counted(R(0.5) * strain.twice_area, g.count);
+        area.add(counted(R(0.5) * strain.twice_area, g.count));
         Vec3<P> share[3];
         share[1] = P(R(0.5)) * cross(strain.e2, strain.unit_normal);
         share[2] = P(R(0.5)) * cross(strain.unit_normal, strain.e1);
@@ -120,7 +120,7 @@ struct ElementsInLanes {
         add(g, area_gradient, share);
       }
       if (volume_gradient) {
-        volume += counted(R(1.0 / 18) * dot(corner[0] + corner[1] + corner[2], strain.area_vector), g.count);
+        volume.add(counted(R(1.0 / 18) * dot(corner[0] + corner[1] + corner[2], strain.area_vector), g.count));
         const Vec3<P> third = P(R(1.0 / 6)) * strain.area_vector;
         const Vec3<P> share[3] = {third, third, third};
         add(g, volume_gradient, share);
@@ -165,7 +165,7 @@ struct ElementsInLanes {
     R* const by_area = plan.needs_area ? flat(area_gradient) : nullptr;
     R* const by_volume = plan.needs_volume ? flat(volume_gradient) : nullptr;
     for (int i = 0; i < packs; ++i) area_gradient[i] = volume_gradient[i] = zero;
-    P area = zero, volume = zero;
+    RunningSum<R, P> area, volume;
     const R* const at = reinterpret_cast<const R*>(x);
     for (int g = 0; g < plan.num_groups; ++g)
       triangles(plan.groups[g], at, flat(gradient), energies, by_area, by_volume, area, volume);
@@ -184,7 +184,7 @@ struct ElementsInLanes {
         });
     for (int e = 0; e < cpu::first_cell_energy; ++e) energies[e] = sum(energies[e]);
     if (plan.needs_area || plan.needs_volume) {
-      CellSums<P> cell{sum(area), sum(volume), zero};
+      CellSums<P> cell{sum(area.total()), sum(volume.total()), zero};
       for (int i = 0; i < packs; ++i) cell.volume_gradient_square += volume_gradient[i] * volume_gradient[i];
       cell.volume_gradient_square = sum(cell.volume_gradient_square);
       const CellResponse<P> response = cell_response(plan, cell, energies);
