@@ -3,7 +3,13 @@
 # A multiply and an add may be fused here: every cell goes through the same instructions in whatever lane, pack or thread,
 # so its bits stay its own; only between instruction sets do they differ in the last digits. Fields of numbers are read as
 # packs, which strict aliasing would forbid.
+#
+# Sanitizers stay outside: instrumented, one of these files takes the compiler many minutes. What the kernels touch is
+# laid out, and bounded, by code that is instrumented; run valgrind on test_cpu after a change here.
 set(NPFEM_KERNEL_OPTIONS -O3 -ffp-contract=fast -fno-strict-aliasing -fno-math-errno)
+if(NPFEM_SANITIZE)
+  list(APPEND NPFEM_KERNEL_OPTIONS -fno-sanitize=all)
+endif()
 
 function(npfem_kernels instruction_set)
   add_library(npfem_kernels_${instruction_set} OBJECT backend/cpu/kernel_${instruction_set}.cpp)

@@ -77,8 +77,11 @@ class Comparison {
     // 5e-6 pN, where the change of its energy drowns in rounding.
     const double least_mass = *std::min_element(model_->solid_mass.begin(), model_->solid_mass.end());
     const double allowed = steps_ * (reference_.worst_residual + end.worst_residual) * dt * dt / least_mass;
-    EXPECT_LT(found, std::max(bound[setting.precision], allowed)) << what << ", " << setting.name();
-    EXPECT_LT(allowed, 1e-4) << what << ", " << setting.name();
+    // In float a step may end short of any tolerance, so that its residual allows nothing.
+    const bool in_float = setting.precision == 2;
+    EXPECT_LT(found, in_float ? bound[2] : std::max(bound[setting.precision], allowed))
+        << what << ", " << setting.name();
+    EXPECT_TRUE(in_float || allowed < 1e-4) << what << ", " << setting.name();
     for (std::size_t c = 0; c < end.held_force.size(); ++c) {
       EXPECT_LE(largest_difference(end.held_force[c], reference_.held_force[c]),
                 held_force_bound[setting.precision] * largest_magnitude(reference_.held_force[c]))
