@@ -142,7 +142,8 @@ NPFEM_API int32_t npfem_model_energy_name(int32_t model, int32_t index, char* bu
 /* ---- batch: cells of one model on one back end ---------------------------------------------------------------------- */
 
 /* `backend`: "cpu", the fast one: cells in the SIMD lanes, for the best instruction set of this machine ("cpu-avx512",
- * "cpu-avx2", "cpu-baseline" ask for one); or "reference": one thread, double, the specification. New cells have the initial shape, at rest, at the origin. */
+ * "cpu-avx2", "cpu-baseline" ask for one); or "reference": one thread, double precision, the specification.
+ * New cells have the initial shape, at rest, at the origin. */
 NPFEM_API int32_t npfem_batch_create(int32_t model, const char* backend, int32_t cells);
 NPFEM_API int32_t npfem_batch_cell_count(int32_t batch);
 /* Appends cells; returns the index of the first new one. */
