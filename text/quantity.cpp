@@ -284,6 +284,13 @@ std::string format_quantity(double value, std::string_view unit_text) {
   return unit_text.empty() || unit_text == "1" ? number : number + ' ' + std::string(unit_text);
 }
 
+std::string format_rounded(double value) {
+  std::array<char, 32> digits;
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 3).ptr;
+  return {digits.data(), end};
+}
+
 std::string format_number(double value) {
   return shortest_decimal(value, 0);
 }

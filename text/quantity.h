@@ -71,6 +71,9 @@ inline std::string format_quantity(double value, const Dimension& d) {
   return format_quantity(value, d.unit);
 }
 
+/// Three digits, whatever the locale: "0.000123".
+std::string format_rounded(double value);
+
 /// The shortest decimal text that reads back as the same double, whatever the locale: "0.1", "1e-20".
 std::string format_number(double value);
 

@@ -21,8 +21,8 @@ struct CellReport {
   int iterations = 0;
   int evaluations = 0;
   int hessian_iterations = 0;  ///< those of the iterations that were guided by the Hessian of the rest shape
-  double residual = 0;   ///< largest component of the residual force, pN
-  double tolerance = 0;  ///< the one used: that of the options, or what rounding allows where that is more, pN
+  double residual = 0;         ///< largest component of the residual force, pN
+  double tolerance = 0;        ///< the one used: that of the options, or what rounding allows where that is more, pN
 };
 
 }  // namespace npfem

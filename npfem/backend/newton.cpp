@@ -6,6 +6,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 
+#include "backend/inertia_and_patches.h"
 #include "backend/reference/line_search.h"
 #include "model/hessian.h"
 
@@ -18,34 +19,13 @@ Eigen::Map<const Eigen::VectorXd> flat(const VertexField& field) {
   return {field.data(), field.size()};
 }
 
-/// What the objective adds to the elastic second derivative and what does not depend on the shape: inertia, and the
-/// springs that tie a patch together.
-SparseMatrix constant_stiffness(const StepObjective& objective) {
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto add = [&](int i, int j, double stiffness) {
-    for (int axis = 0; axis < 3; ++axis) entries.emplace_back(3 * i + axis, 3 * j + axis, stiffness);
-  };
-  for (int i = 0; i < objective.model.num_vertices(); ++i) add(i, i, objective.inertia(i));
-  for (const Patch& patch : objective.patches) {
-    const double share = patch.stiffness / static_cast<double>(patch.vertices.size());
-    for (const int i : patch.vertices) {
-      add(i, i, patch.stiffness);
-      for (const int j : patch.vertices) add(i, j, -share);
-    }
-  }
-  const Eigen::Index n = 3 * objective.model.num_vertices();
-  SparseMatrix matrix(n, n);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
-}
-
 /// The second derivative of the objective at one point after the other, factorised. All have the same non-zero entries,
 /// so their elimination order is found once.
 class NewtonFactor {
  public:
   explicit NewtonFactor(const StepObjective& objective)
       : objective_(objective),
-        constant_(constant_stiffness(objective)),
+        constant_(inertia_and_patches(objective.inertia, objective.patches, 3)),
         identity_(constant_.rows(), constant_.cols()),
         unit_(objective.model.weight.diagonal().mean() + objective.inertia.mean()) {
     identity_.setIdentity();

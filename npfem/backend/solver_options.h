@@ -10,6 +10,10 @@ namespace npfem {
 
 /// How a step forms derivatives in time. The numbers are those of the option "integrator".
 enum Integrator : int { implicit_euler = 0, bdf2 = 1 };
+/// Numbers of the back end cpu. Mixed: single precision for matrices and history, which only steer the search.
+enum Precision : int { double_precision = 0, mixed_precision = 1, single_precision = 2 };
+/// Around which matrix the back end cpu iterates.
+enum MatrixChoice : int { chosen_matrix = 0, scalar_matrix = 1, hessian_matrix = 2 };
 
 /// Settings of a batch, the same for every back end.
 struct SolverOptions {
@@ -23,9 +27,9 @@ struct SolverOptions {
   int history = 7;              ///< pairs kept by L-BFGS
   int max_line_search = 20;     ///< trials per iteration
 
-  int precision = 0;   ///< back end cpu: 0 double; 1 mixed: float for matrices and history; 2 float
-  int threads = 0;     ///< back end cpu: 0 is OMP_NUM_THREADS, or one where that is not set
-  int matrix = 0;      ///< back end cpu: 0 chosen for each cell, 1 scalar weights, 2 Hessian of the rest shape
+  int precision = double_precision;  ///< back end cpu
+  int threads = 0;                   ///< back end cpu: 0 is OMP_NUM_THREADS, or one where that is not set
+  int matrix = chosen_matrix;        ///< back end cpu
   int lone_cells = 0;  ///< back end cpu: 1 puts the elements of one cell into the SIMD lanes instead of many cells
 
   bool lineage = false;      ///< step exactly as the lineage does

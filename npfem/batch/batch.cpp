@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -45,14 +44,6 @@ void require_allowed(Field field, std::span<const double> values, std::size_t pe
   }
 }
 
-/// Three digits, whatever the locale.
-std::string three_digits(double value) {
-  std::array<char, 32> digits;
-  const auto end =
-      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 3).ptr;
-  return {digits.data(), end};
-}
-
 }  // namespace
 
 Field field_by_name(std::string_view name) {
@@ -77,6 +68,7 @@ int Batch::add_cells(int count) {
   }
   backend_->add_cells(count);
   energies_are_current_ = false;
+  masses_are_positive_ = false;
   return first;
 }
 
@@ -110,6 +102,7 @@ void Batch::write(Field field, int first, int count, std::span<const double> val
   }
   require_length(values.size(), size_of(field, model_->num_vertices(), count), "field \"" + name + "\"");
   if (field == Field::position) energies_are_current_ = false;
+  if (field == Field::ambient_mass) masses_are_positive_ = false;
   const std::size_t per_cell = size_of(field, model_->num_vertices());
   require_allowed(field, values, per_cell, first);
   for (int c = 0; c < count; ++c) {
@@ -158,7 +151,7 @@ void Batch::forget_past(int cell) {
   for (const Field lag : {Field::lag_velocity, Field::lag_acceleration}) backend_->write(lag, cell, zero);
 }
 
-void Batch::require_steppable() const {
+void Batch::require_steppable() {
   require_masses();
   if (options_.lineage && model_->is_viscous()) {
     throw Error(Status::wrong_order,
@@ -188,7 +181,8 @@ void Batch::require_no_fluid() const {
   }
 }
 
-void Batch::require_masses() const {
+void Batch::require_masses() {
+  if (masses_are_positive_) return;
   std::vector<double> ambient(static_cast<std::size_t>(model_->num_vertices()));
   for (int c = 0; c < num_cells(); ++c) {
     backend_->read(Field::ambient_mass, c, ambient);
@@ -202,6 +196,7 @@ void Batch::require_masses() const {
       }
     }
   }
+  masses_are_positive_ = true;
 }
 
 int Batch::num_failed() const {
@@ -281,8 +276,9 @@ std::string Batch::status_text(int cell) const {
       outcome = "failed: iteration cap with a residual above residual_bound";
       break;
   }
-  return "cell " + std::to_string(cell) + " " + outcome + "; residual " + three_digits(r.residual) + " pN, tolerance " +
-         three_digits(r.tolerance) + ", after " + std::to_string(r.iterations) + " iterations";
+  return "cell " + std::to_string(cell) + " " + outcome + "; residual " + text::format_rounded(r.residual) +
+         " pN, tolerance " + text::format_rounded(r.tolerance) + ", after " + std::to_string(r.iterations) +
+         " iterations";
 }
 
 std::vector<double> Batch::field_of(Field field, int cell) const {
@@ -347,6 +343,7 @@ void Batch::unpack(int cell, std::span<const double> values) {
     offset += size;
   }
   energies_are_current_ = false;
+  masses_are_positive_ = false;
   offset = 0;
   for (const Field field : state_fields) {
     const std::size_t size = size_of(field, model_->num_vertices());

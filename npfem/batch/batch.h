@@ -61,8 +61,8 @@ class Batch {
  private:
   void require_cells(int first, int count) const;
   void require_length(std::size_t found, std::size_t needed, const std::string& what) const;
-  void require_steppable() const;
-  void require_masses() const;
+  void require_steppable();
+  void require_masses();
   void require_no_fluid() const;
   void forget_past(int cell);
   int num_failed() const;
@@ -73,6 +73,7 @@ class Batch {
   std::unique_ptr<Backend> backend_;
   SolverOptions options_;
   std::vector<Patch> patches_;
+  bool masses_are_positive_ = false;                  ///< no mass has changed since they were looked at
   bool energies_are_current_ = false;                 ///< no cell has moved since evaluate()
   mutable std::optional<OperationCount> operations_;  ///< of the model; counted when first asked for
   std::atomic<bool> stop_{false};

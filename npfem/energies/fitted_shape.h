@@ -75,6 +75,19 @@ NPFEM_HD ShapeRest<R> shape_rest(const Vec3<R>* d, int count) {
   return {sum / R(count)};
 }
 
+/// What those laws share: `struct PlaneShape : SizedShape`.
+struct SizedShape {
+  template <class R>
+  using Params = ShapeParams<R>;
+  template <class R>
+  using Rest = ShapeRest<R>;
+
+  template <class R>
+  NPFEM_HD static Rest<R> rest(const Vec3<R>* d, int count, const Params<R>&) {
+    return shape_rest(d, count);
+  }
+};
+
 /// sum_i d_i d_i^T, um^2.
 template <class T>
 NPFEM_HD Symmetric3<T> second_moment(const Vec3<T>* d, int count) {

@@ -6,18 +6,8 @@
 namespace npfem {
 
 /// Points on a plane: the nearest one holds their centre and the two directions in which they extend furthest.
-struct PlaneShape {
+struct PlaneShape : SizedShape {
   static constexpr const char* name = "plane";
-  template <class R>
-  using Params = ShapeParams<R>;
-  template <class R>
-  using Rest = ShapeRest<R>;
-
-  template <class R>
-  NPFEM_HD static Rest<R> rest(const Vec3<R>* d, int count, const Params<R>&) {
-    return shape_rest(d, count);
-  }
-
   template <class T, class R>
   NPFEM_HD static T respond(const Vec3<T>* d, int count, const Rest<R>&, const Params<R>& p, Vec3<T>* gradient) {
     const Vec3<T> normal = symmetric_eigen(second_moment(d, count)).vector[2];
@@ -32,18 +22,8 @@ struct PlaneShape {
 };
 
 /// Points on a straight line: the nearest one holds their centre and the direction in which they extend furthest.
-struct LineShape {
+struct LineShape : SizedShape {
   static constexpr const char* name = "line";
-  template <class R>
-  using Params = ShapeParams<R>;
-  template <class R>
-  using Rest = ShapeRest<R>;
-
-  template <class R>
-  NPFEM_HD static Rest<R> rest(const Vec3<R>* d, int count, const Params<R>&) {
-    return shape_rest(d, count);
-  }
-
   template <class T, class R>
   NPFEM_HD static T respond(const Vec3<T>* d, int count, const Rest<R>&, const Params<R>& p, Vec3<T>* gradient) {
     const Vec3<T> direction = symmetric_eigen(second_moment(d, count)).vector[0];

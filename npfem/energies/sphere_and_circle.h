@@ -64,18 +64,8 @@ NPFEM_HD FittedSphere<T> fit_sphere(const Vec3<T>* d, int count, const T& size_s
 }
 
 /// Points on a sphere of any radius.
-struct SphereShape {
+struct SphereShape : SizedShape {
   static constexpr const char* name = "sphere";
-  template <class R>
-  using Params = ShapeParams<R>;
-  template <class R>
-  using Rest = ShapeRest<R>;
-
-  template <class R>
-  NPFEM_HD static Rest<R> rest(const Vec3<R>* d, int count, const Params<R>&) {
-    return shape_rest(d, count);
-  }
-
   template <class T, class R>
   NPFEM_HD static T respond(const Vec3<T>* d, int count, const Rest<R>& rest, const Params<R>& p, Vec3<T>* gradient) {
     const FittedSphere<T> s = fit_sphere(d, count, T(rest.size_square), Vec3<T>{T(R(0)), T(R(0)), T(R(0))});
@@ -93,18 +83,8 @@ struct SphereShape {
 /// Points on a circle of any radius: first to the nearest plane, then in that plane to the nearest circle,
 ///   E = (w/2) sum_i [z_i^2 + (rho_i - r)^2],   z_i the height over the plane, rho_i the distance in it from the
 ///   centre.
-struct CircleShape {
+struct CircleShape : SizedShape {
   static constexpr const char* name = "circle";
-  template <class R>
-  using Params = ShapeParams<R>;
-  template <class R>
-  using Rest = ShapeRest<R>;
-
-  template <class R>
-  NPFEM_HD static Rest<R> rest(const Vec3<R>* d, int count, const Params<R>&) {
-    return shape_rest(d, count);
-  }
-
   template <class T, class R>
   NPFEM_HD static T respond(const Vec3<T>* d, int count, const Rest<R>& rest, const Params<R>& p, Vec3<T>* gradient) {
     const SymmetricEigen<T> e = symmetric_eigen(second_moment(d, count));

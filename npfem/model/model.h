@@ -73,6 +73,9 @@ struct Model {
   double shear_modulus = 0;                           ///< small strain, uN/m
   double largest_modulus = 0;                         ///< stiffest surface modulus, uN/m
 
+  Eigen::Map<const Eigen::VectorXd> solid_masses() const {
+    return {solid_mass.data(), static_cast<Eigen::Index>(solid_mass.size())};
+  }
   int num_vertices() const { return static_cast<int>(initial.size()); }
 
   template <class E>

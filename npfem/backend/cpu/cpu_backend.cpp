@@ -121,15 +121,15 @@ std::span<const double> CpuBackend::energies(int cell) const {
 
 void CpuBackend::find_mass_sets() {
   if (masses_are_known_) return;
-  std::vector<double> mass(static_cast<std::size_t>(model_->num_vertices())), ordered(mass.size());
-  std::vector<std::vector<double>> sets;
+  const auto n = static_cast<Eigen::Index>(model_->num_vertices());
+  Eigen::VectorXd mass(n);
+  std::vector<Eigen::VectorXd> sets;
   mass_set_of_.assign(static_cast<std::size_t>(num_cells()), 0);
   for (int c = 0; c < num_cells(); ++c) {
-    state_.read(Field::ambient_mass, c, mass);
-    for (std::size_t k = 0; k < mass.size(); ++k) ordered[k] = mass[static_cast<std::size_t>(state_.order()[k])];
-    const auto found = std::find(sets.begin(), sets.end(), ordered);
+    state_.read(Field::ambient_mass, c, {mass.data(), static_cast<std::size_t>(n)});
+    const auto found = std::find(sets.begin(), sets.end(), mass);
     mass_set_of_[static_cast<std::size_t>(c)] = static_cast<int>(found - sets.begin());
-    if (found == sets.end()) sets.push_back(ordered);
+    if (found == sets.end()) sets.push_back(mass);
   }
   if (sets != mass_sets_) factors_.clear();
   mass_sets_ = std::move(sets);
@@ -148,10 +148,9 @@ const StepFactors& CpuBackend::factors(const FactorKey& key, bool with_hessian) 
     break;
   }
   if (with_hessian && !rest_hessian_) rest_hessian_ = std::make_unique<RestHessian>(*model_, state_.order());
-  std::vector<double> mass = solid_mass_;
-  for (std::size_t k = 0; k < mass.size() && key.mass_set >= 0; ++k)
-    mass[k] += mass_sets_[static_cast<std::size_t>(key.mass_set)][k];
-  const std::size_t kept = mass_sets_.size() * 2 + 2;  // each with and without a past, and a time step in passing
+  Eigen::VectorXd mass = model_->solid_masses();
+  if (key.mass_set >= 0) mass += mass_sets_[static_cast<std::size_t>(key.mass_set)];
+  constexpr std::size_t kept = 2 * mass_sets_at_once + 2;  // with and without a past, and a time step in passing
   if (factors_.size() >= kept) factors_.erase(factors_.begin());
   factors_.push_back(std::make_unique<StepFactors>(*model_, state_.order(), key, mass, patches_,
                                                    with_hessian ? rest_hessian_.get() : nullptr));
@@ -160,7 +159,7 @@ const StepFactors& CpuBackend::factors(const FactorKey& key, bool with_hessian) 
 
 const LineageFactors& CpuBackend::lineage_factors(double time_step, double beta) {
   if (!lineage_factors_ || !lineage_factors_->is_for(time_step, beta))
-    lineage_factors_ = std::make_unique<LineageFactors>(*model_, state_.order(), solid_mass_, time_step, beta);
+    lineage_factors_ = std::make_unique<LineageFactors>(*model_, state_.order(), time_step, beta);
   return *lineage_factors_;
 }
 
@@ -229,22 +228,26 @@ void CpuBackend::evaluate() {
   const CellPlan<double>& cell_plan = plan<double>();
   const std::size_t bytes = kernels_.workspace_bytes(cell_plan.num_vertices, 0, 0);
   const std::vector<int> places = energy_places(*model_);
-  AlignedVector<char> workspace(bytes);
-  std::vector<double> energies(static_cast<std::size_t>(num_energies * state_.lanes()));
+  const int lanes = state_.lanes();
+  ThreadScratch& scratch = scratch_of(1).front();
+  scratch.require_workspace(bytes);
+  std::vector<double> energies(static_cast<std::size_t>(num_energies * lanes));
   for (int block = 0; block < state_.num_blocks(); ++block) {
-    EvaluateTask<double> task{&cell_plan,
-                              block_of(state_, reports_, block),
-                              0,
-                              state_.block(Field::elastic_force, block),
-                              energies.data(),
-                              workspace.data()};
-    for (; task.first_lane < state_.lanes(); task.first_lane += kernels_.double_lanes) kernels_.evaluate(task);
-    for (int lane = 0; lane < state_.lanes() && block * state_.lanes() + lane < num_cells(); ++lane) {
-      const auto cell = static_cast<std::size_t>(block * state_.lanes() + lane);
+    EvaluateTask<double> task{
+        &cell_plan,      block_of(state_, reports_, block), 0, state_.block(Field::elastic_force, block),
+        energies.data(), scratch.workspace.data()};
+    for (; task.first_lane < lanes; task.first_lane += kernels_.double_lanes) kernels_.evaluate(task);
+    for (int lane = 0; lane < lanes && block * lanes + lane < num_cells(); ++lane) {
+      const auto cell = static_cast<std::size_t>(block * lanes + lane);
       for (std::size_t e = 0; e < places.size(); ++e)
-        energies_[cell * places.size() + e] = energies[static_cast<std::size_t>(places[e] * state_.lanes() + lane)];
+        energies_[cell * places.size() + e] = energies[static_cast<std::size_t>(places[e] * lanes + lane)];
     }
   }
+}
+
+std::span<CpuBackend::ThreadScratch> CpuBackend::scratch_of(int threads) {
+  if (scratch_.size() < static_cast<std::size_t>(threads)) scratch_.resize(static_cast<std::size_t>(threads));
+  return scratch_;
 }
 
 }  // namespace npfem::cpu

@@ -47,6 +47,10 @@ class CpuBackend final : public Backend {
     AlignedVector<char> workspace;
     std::vector<double> contacts;
     std::vector<int> left;  ///< cells that left their pack
+
+    void require_workspace(std::size_t bytes) {
+      if (workspace.size() < bytes) workspace.resize(bytes);
+    }
   };
   /// One block of cells to step, the kind of each, and whether one may leave when few of its pack still iterate.
   struct BlockOfCells {
@@ -65,13 +69,19 @@ class CpuBackend final : public Backend {
   CellState cell_state(int cell) const;
   void put_cell_state(int cell, CellState& state);
 
+  /// Masses that a step handles at once: each has factors of some megabytes.
+  static constexpr int mass_sets_at_once = 8;
+  /// The kinds of cells with the mass sets from `first_set` on: those without a past, then those with one.
   template <class H>
-  std::vector<StepKind<H>> kinds_of_step(const SolverOptions& options);
-  /// Index of a cell's kind: its masses, and with `by_past` whether it has a past.
-  int kind_of(int cell, bool by_past) const;
+  std::vector<StepKind<H>> kinds_of_step(const SolverOptions& options, int first_set, int sets);
+  /// Index of a cell's kind among those; -1: it has other masses.
+  int kind_of(int cell, const SolverOptions& options, int first_set, int sets) const;
+  std::span<ThreadScratch> scratch_of(int threads);
   void find_contacts(const CellBlock& block, std::vector<double>& contacts) const;
   template <class R, class H>
   void step_in(const SolverOptions& options, void (*kernel)(const StepTask<R, H>&), int cells_per_call);
+  template <class R, class H>
+  void step_kinds(const StepPlan<R, H>& step, int threads);
   template <class R, class H>
   void step_block(const StepPlan<R, H>& step, const BlockOfCells& cells, ThreadScratch& scratch);
   template <class R, class H>
@@ -92,8 +102,8 @@ class CpuBackend final : public Backend {
   std::optional<StiffestForce> stiffest_;        // known from the first step in float
   std::vector<double> solid_mass_, rest_shape_;  // in the kernels' order
 
-  std::vector<std::vector<double>> mass_sets_;  // ambient masses that occur, in the kernels' order
-  std::vector<int> mass_set_of_;                // by cell
+  std::vector<Eigen::VectorXd> mass_sets_;  // ambient masses that occur, fg
+  std::vector<int> mass_set_of_;            // by cell
   bool masses_are_known_ = false;
   std::unique_ptr<RestHessian> rest_hessian_;
   std::vector<std::unique_ptr<StepFactors>> factors_;

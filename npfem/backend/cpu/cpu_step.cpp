@@ -16,7 +16,7 @@ StepSettings settings_from(const SolverOptions& o, const Differencing& differenc
   s.looks_back = o.integrator == Integrator::bdf2;
   s.tolerance = o.tolerance, s.residual_bound = o.residual_bound;
   s.max_iterations = o.max_iterations, s.history = o.history, s.max_line_search = o.max_line_search;
-  s.matrix = o.matrix;
+  s.always_blocks = o.matrix == MatrixChoice::hessian_matrix;
   s.lineage = o.lineage;
   s.lineage_alpha = o.lineage_alpha, s.lineage_beta = o.lineage_beta, s.lineage_tolerance = o.lineage_tolerance;
   s.lineage_window = o.lineage_window, s.lineage_attempts = o.lineage_attempts;
@@ -29,8 +29,7 @@ template <class R>
 class PatchViews {
  public:
   PatchViews(std::span<const Patch> patches, std::span<const int> order) {
-    std::vector<int> place(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+    const std::vector<int> place = places_in(order);
     vertices_.reserve(patches.size());
     for (const Patch& patch : patches) {
       auto& vertices = vertices_.emplace_back();
@@ -53,8 +52,6 @@ template <class H>
 struct CpuBackend::StepKind {
   StepSettings settings;
   StepMatrices<H> matrices;
-  int mass_set;
-  bool has_past;
 };
 
 /// One step of all cells in numbers R and H.
@@ -65,24 +62,24 @@ struct CpuBackend::StepPlan {
   PatchViews<R> patches;
   void (*kernel)(const StepTask<R, H>&);
   int cells_per_call;
-  bool looks_for_contacts;
+  bool looks_for_contacts, may_leave;
 };
 
 template <class H>
-std::vector<CpuBackend::StepKind<H>> CpuBackend::kinds_of_step(const SolverOptions& options) {
+std::vector<CpuBackend::StepKind<H>> CpuBackend::kinds_of_step(const SolverOptions& options, int first_set, int sets) {
   std::vector<StepKind<H>> kinds;
   for (const bool past : {false, true}) {
     if (past && options.integrator != Integrator::bdf2) continue;
     StepSettings settings = settings_from(options, past ? bdf2_differencing(options) : euler_differencing(options));
     settings.leave_short = takes_newton(options, CellStatus::iteration_cap);
-    for (int set = 0; set < static_cast<int>(mass_sets_.size()); ++set) {
+    for (int set = first_set; set < first_set + sets; ++set) {
       const FactorKey key = options.lineage
                                 ? FactorKey{options.time_step, -1, 1 + options.lineage_beta / options.time_step}
                                 : FactorKey{settings.lead, set, 1};
-      const bool with_hessian = !options.lineage && options.matrix != 1;
+      const bool with_hessian = !options.lineage && options.matrix != MatrixChoice::scalar_matrix;
       const StepFactors& matrices = factors(key, with_hessian);
-      if (options.precision != 0 && !matrices.fits_float()) refuse_factor_in_float(options);
-      kinds.push_back({settings, matrices.template view<H>(), set, past});
+      if (options.precision != Precision::double_precision && !matrices.fits_float()) refuse_factor_in_float(options);
+      kinds.push_back({settings, matrices.template view<H>()});
     }
   }
   return kinds;
@@ -111,11 +108,12 @@ void CpuBackend::find_contacts(const CellBlock& block, std::vector<double>& cont
   }
 }
 
-int CpuBackend::kind_of(int cell, bool by_past) const {
-  const int mass_set = mass_set_of_[static_cast<std::size_t>(cell)];
-  if (!by_past) return mass_set;
-  const bool started = !state_.is_zero(Field::lag_velocity, cell) || !state_.is_zero(Field::lag_acceleration, cell);
-  return mass_set + (started ? static_cast<int>(mass_sets_.size()) : 0);
+int CpuBackend::kind_of(int cell, const SolverOptions& options, int first_set, int sets) const {
+  const int set = mass_set_of_[static_cast<std::size_t>(cell)] - first_set;
+  if (set < 0 || set >= sets) return -1;
+  if (options.integrator != Integrator::bdf2) return set;
+  const bool has_past = !state_.is_zero(Field::lag_velocity, cell) || !state_.is_zero(Field::lag_acceleration, cell);
+  return has_past ? set + sets : set;
 }
 
 template <class R, class H>
@@ -123,7 +121,7 @@ void CpuBackend::step_block(const StepPlan<R, H>& step, const BlockOfCells& cell
   const CellPlan<R>& cell_plan = plan<R>();
   const std::size_t bytes = kernels_.workspace_bytes(cell_plan.num_vertices, step.kinds.front().settings.history,
                                                      step.kinds.front().settings.lineage_window);
-  if (scratch.workspace.size() < bytes) scratch.workspace.resize(bytes);
+  scratch.require_workspace(bytes);
   StepTask<R, H> task{};
   task.plan = &cell_plan;
   task.lineage = &step.lineage;
@@ -159,31 +157,37 @@ void CpuBackend::step_block(const StepPlan<R, H>& step, const BlockOfCells& cell
 
 template <class R, class H>
 void CpuBackend::step_in(const SolverOptions& options, void (*kernel)(const StepTask<R, H>&), int cells_per_call) {
-  StepPlan<R, H> step{kinds_of_step<H>(options),
-                      {},
-                      {patches_, state_.order()},
-                      kernel,
-                      cells_per_call,
-                      options.lineage && !obstacles_.empty()};
-  if (options.lineage) step.lineage = lineage_factors(options.time_step, options.lineage_beta).view(R{});
+  LineageMatrices<R> lineage;
+  if (options.lineage) lineage = lineage_factors(options.time_step, options.lineage_beta).view(R{});
   plan<R>();
   kinds_.resize(static_cast<std::size_t>(num_cells()));
-  for (int cell = 0; cell < num_cells(); ++cell)
-    kinds_[static_cast<std::size_t>(cell)] = kind_of(cell, step.kinds.size() > mass_sets_.size());
+  const int all_sets = static_cast<int>(mass_sets_.size());
+  for (int first_set = 0; first_set < all_sets; first_set += mass_sets_at_once) {
+    const int sets = std::min(mass_sets_at_once, all_sets - first_set);
+    const StepPlan<R, H> step{kinds_of_step<H>(options, first_set, sets),
+                              lineage,
+                              {patches_, state_.order()},
+                              kernel,
+                              cells_per_call,
+                              options.lineage && !obstacles_.empty(),
+                              !options.lineage && cells_per_call > 1 && num_cells() > cells_per_call};
+    for (int cell = 0; cell < num_cells(); ++cell)
+      kinds_[static_cast<std::size_t>(cell)] = kind_of(cell, options, first_set, sets);
+    step_kinds(step, thread_count(options.threads, state_.num_blocks()));
+  }
+}
 
-  const int lanes = state_.lanes();
-  const int threads = thread_count(options.threads, state_.num_blocks());
-  if (scratch_.size() < static_cast<std::size_t>(threads)) scratch_.resize(static_cast<std::size_t>(threads));
-  for (ThreadScratch& scratch : scratch_) scratch.left.clear();
-  const bool may_leave = !options.lineage && cells_per_call > 1 && num_cells() > cells_per_call;
+template <class R, class H>
+void CpuBackend::step_kinds(const StepPlan<R, H>& step, int threads) {
+  const std::span<ThreadScratch> scratch = scratch_of(threads);
+  for (ThreadScratch& s : scratch) s.left.clear();
   for_each_piece(state_.num_blocks(), threads, [&](int block, int thread) {
-    const int first = block * lanes, count = std::min(lanes, num_cells() - first);
-    step_block(step,
-               {block_of(state_, reports_, block), first,
-                std::span(kinds_).subspan(std::size_t(first), std::size_t(count)), may_leave},
-               scratch_[static_cast<std::size_t>(thread)]);
+    const int first = block * state_.lanes(), count = std::min(state_.lanes(), num_cells() - first);
+    const auto kinds = std::span(kinds_).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
+    step_block(step, {block_of(state_, reports_, block), first, kinds, step.may_leave},
+               scratch[static_cast<std::size_t>(thread)]);
   });
-  if (may_leave) step_stragglers(step, threads);
+  if (step.may_leave) step_stragglers(step, threads);
 }
 
 /// Cells that the rest of their pack would have waited for start their step again in full packs. An iteration does not
@@ -208,9 +212,8 @@ void CpuBackend::step_stragglers(const StepPlan<R, H>& step, int threads) {
     const bool may_leave = count > step.cells_per_call;
     for_each_piece(gathered.num_blocks(), std::min(threads, gathered.num_blocks()), [&](int block, int thread) {
       const int first = block * gathered.lanes(), some = std::min(gathered.lanes(), count - first);
-      step_block(step,
-                 {block_of(gathered, reports, block), first,
-                  std::span(kinds).subspan(std::size_t(first), std::size_t(some)), may_leave},
+      const auto their = std::span(kinds).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(some));
+      step_block(step, {block_of(gathered, reports, block), first, their, may_leave},
                  scratch_[static_cast<std::size_t>(thread)]);
     });
     std::vector<int> again;
@@ -231,7 +234,7 @@ void CpuBackend::step_stragglers(const StepPlan<R, H>& step, int threads) {
 }
 
 void CpuBackend::step(const SolverOptions& options) {
-  if (options.precision == 2) {
+  if (options.precision == Precision::single_precision) {
     if (!stiffest_) stiffest_ = stiffest_force(*model_);
     require_forces_in_float(*stiffest_, options);
   }
@@ -241,18 +244,18 @@ void CpuBackend::step(const SolverOptions& options) {
     state_.require(Field::lag_acceleration);
   }
   const bool lone = options.lone_cells != 0;
+  const auto step_with = [&](auto kernel, auto lone_kernel, int lanes) {
+    step_in(options, lone ? lone_kernel : kernel, lone ? 1 : lanes);
+  };
   switch (options.precision) {
-    case 0:
-      step_in<double, double>(options, lone ? kernels_.lone_step_double : kernels_.step_double,
-                              lone ? 1 : kernels_.double_lanes);
+    case Precision::double_precision:
+      step_with(kernels_.step_double, kernels_.lone_step_double, kernels_.double_lanes);
       break;
-    case 1:
-      step_in<double, float>(options, lone ? kernels_.lone_step_mixed : kernels_.step_mixed,
-                             lone ? 1 : kernels_.double_lanes);
+    case Precision::mixed_precision:
+      step_with(kernels_.step_mixed, kernels_.lone_step_mixed, kernels_.double_lanes);
       break;
     default:
-      step_in<float, float>(options, lone ? kernels_.lone_step_float : kernels_.step_float,
-                            lone ? 1 : kernels_.float_lanes);
+      step_with(kernels_.step_float, kernels_.lone_step_float, kernels_.float_lanes);
   }
   if (!options.lineage) finish_by_newton(options);
 }
@@ -260,8 +263,7 @@ void CpuBackend::step(const SolverOptions& options) {
 /// In single precision a cell may stop short of the tolerance because its digits end there; double would not help it in
 /// the next step, so only one that would fail is worth Newton's price.
 bool CpuBackend::takes_newton(const SolverOptions& options, CellStatus status) const {
-  constexpr int single_precision = 2;
-  if (options.precision == single_precision && !has_failed(status)) return false;
+  if (options.precision == Precision::single_precision && !has_failed(status)) return false;
   return needs_newton(*model_, options, status);
 }
 
@@ -281,8 +283,7 @@ void CpuBackend::finish_by_newton(const SolverOptions& options) {
     const CellReport before = report;
     CellState state = cell_state(cell);
     const double h = differencing(options, state).h;
-    const Eigen::Map<const Eigen::VectorXd> solid(model_->solid_mass.data(), model_->num_vertices());
-    const StepFactor factor(*model_, (solid + state.ambient_mass) / (h * h), {1, 1 / h}, patches_);
+    const StepFactor factor(*model_, (model_->solid_masses() + state.ambient_mass) / (h * h), {1, 1 / h}, patches_);
     time_step(*model_, factor, patches_, newton_only, state);
     report = state.report;
     report.iterations += before.iterations;

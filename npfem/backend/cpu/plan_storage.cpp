@@ -5,6 +5,8 @@
 #include <array>
 #include <cstring>
 
+#include "backend/cpu/shared_factor.h"
+
 namespace npfem::cpu {
 namespace {
 
@@ -168,8 +170,7 @@ void PlanStorage<R>::add_groups(const Model& model, std::span<const int> place) 
 
 template <class R>
 PlanStorage<R>::PlanStorage(const Model& model, std::span<const int> order) : rank_(breadth_first_rank(model)) {
-  std::vector<int> place(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+  const std::vector<int> place = places_in(order);
 
   plan_.has_potential = model.has_potential();
   plan_.is_translation_invariant = model.is_translation_invariant();

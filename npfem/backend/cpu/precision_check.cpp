@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "backend/cpu/precision_check.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -16,15 +14,8 @@ namespace {
 
 constexpr double float_spacing = std::numeric_limits<float>::epsilon();
 
-std::string three_digits(double value) {
-  std::array<char, 32> digits;
-  const auto end =
-      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 3).ptr;
-  return {digits.data(), end};
-}
-
 const char* name_of(int precision) {
-  return precision == 1 ? "1 (mixed)" : "2 (float)";
+  return precision == Precision::mixed_precision ? "1 (mixed)" : "2 (float)";
 }
 
 }  // namespace
@@ -56,8 +47,9 @@ void require_forces_in_float(const StiffestForce& stiffest, const SolverOptions&
   if (rounding <= options.residual_bound) return;
   throw Error(Status::bad_input,
               std::string("option \"precision\" = ") + name_of(options.precision) + ": a stiffness of " +
-                  three_digits(stiffest.stiffness) + " pN/um on a cell that reaches " + three_digits(stiffest.reach) +
-                  " um leaves forces a rounding error of " + three_digits(rounding) +
+                  text::format_rounded(stiffest.stiffness) + " pN/um on a cell that reaches " +
+                  text::format_rounded(stiffest.reach) + " um leaves forces a rounding error of " +
+                  text::format_rounded(rounding) +
                   " pN in float; allowed is residual_bound = " + text::format_number(options.residual_bound) +
                   " pN. Set precision = 0 (double) or 1 (mixed), a larger residual_bound, or smaller moduli");
 }

@@ -52,10 +52,11 @@ void push_rowwise(std::vector<double>& to, const Eigen::Matrix3d& m) {
 
 }  // namespace
 
-SharedFactor::SharedFactor(const Sparse& matrix, int block_size) : block_size_(block_size) {
+SharedFactor::SharedFactor(const Sparse& matrix, int block_size, Eigen::MatrixXd* solved) : block_size_(block_size) {
   Factor factor;
   factor.compute(matrix);
   if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0)) refuse_step_matrix();
+  if (solved) *solved = factor.solve(*solved).eval();
   const auto n = static_cast<int>(matrix.rows()) / block_size;
   const Sparse lower = factor.matrixL();
   row_start_.push_back(0);
@@ -134,27 +135,10 @@ FactorView<float> SharedFactor::view(float) const {
           back_column_.data(), back_value_float_.data(), inverse_diagonal_float_.data()};
 }
 
-Eigen::VectorXd SharedFactor::solve(const Eigen::VectorXd& b) const {
-  const auto n = static_cast<int>(row_start_.size()) - 1;
-  const int s = block_size_;
-  using Block = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
-  const auto block = [s](const std::vector<double>& values, int k) { return Block(values.data() + s * s * k, s, s); };
-  Eigen::VectorXd x = b;
-  for (int i = 0; i < n; ++i) {
-    for (int k = row_start_[static_cast<std::size_t>(i)]; k < row_start_[static_cast<std::size_t>(i) + 1]; ++k)
-      x.segment(s * i, s) -= block(value_, k) * x.segment(s * column_[static_cast<std::size_t>(k)], s);
-  }
-  for (int i = 0; i < n; ++i) x.segment(s * i, s) = (block(inverse_diagonal_, i) * x.segment(s * i, s)).eval();
-  for (int i = n; i-- > 0;) {
-    for (int k = row_start_[static_cast<std::size_t>(i)]; k < row_start_[static_cast<std::size_t>(i) + 1]; ++k)
-      x.segment(s * column_[static_cast<std::size_t>(k)], s) -= block(value_, k).transpose() * x.segment(s * i, s);
-  }
-  return x;
-}
-
-std::size_t SharedFactor::bytes() const {
-  return 2 * (row_start_.size() + column_.size()) * sizeof(int) +
-         (2 * value_.size() + inverse_diagonal_.size()) * (sizeof(double) + sizeof(float));
+std::vector<int> places_in(std::span<const int> order) {
+  std::vector<int> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+  return place;
 }
 
 std::vector<int> elimination_order(const Sparse& pattern) {
@@ -166,8 +150,7 @@ std::vector<int> elimination_order(const Sparse& pattern) {
 }
 
 Sparse reordered(const Sparse& matrix, std::span<const int> order, int block_size) {
-  std::vector<int> place(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+  const std::vector<int> place = places_in(order);
   const auto moved = [&](Eigen::Index i) {
     const auto vertex = static_cast<std::size_t>(i / block_size);
     return place[vertex] * block_size + static_cast<int>(i % block_size);

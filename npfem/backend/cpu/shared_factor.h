@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <span>
 #include <vector>
@@ -14,14 +15,12 @@ namespace npfem::cpu {
 class SharedFactor {
  public:
   /// `matrix`: (block_size n) x (block_size n), symmetric positive definite, in an order of elimination; block_size 1
-  /// or 3. Throws Error(bad_input) where it is not positive definite.
-  SharedFactor(const Eigen::SparseMatrix<double>& matrix, int block_size);
+  /// or 3. Where `solved` is given, its columns b become N^-1 b. Throws Error(bad_input) where N is not positive
+  /// definite.
+  SharedFactor(const Eigen::SparseMatrix<double>& matrix, int block_size, Eigen::MatrixXd* solved = nullptr);
 
   FactorView<double> view(double) const;
   FactorView<float> view(float) const;
-  /// N^-1 b, one right-hand side.
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
-  std::size_t bytes() const;
   /// Whether the factor in float is finite and positive definite like that in double.
   bool fits_float() const { return fits_float_; }
 
@@ -39,6 +38,9 @@ class SharedFactor {
 /// The order in which vertices are eliminated with little fill (approximate minimum degree; Amestoy, Davis & Duff
 /// 1996): position k of the order is vertex order[k].
 std::vector<int> elimination_order(const Eigen::SparseMatrix<double>& pattern);
+
+/// The inverse of an order: vertex v has place places_in(order)[v].
+std::vector<int> places_in(std::span<const int> order);
 
 /// `matrix`, rows and columns of `block_size` coordinates each, with its vertices in the given order.
 Eigen::SparseMatrix<double> reordered(const Eigen::SparseMatrix<double>& matrix, std::span<const int> order,

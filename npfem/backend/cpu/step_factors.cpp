@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include "backend/inertia_and_patches.h"
 #include "backend/reference/dissipation.h"
 #include "model/hessian.h"
 
@@ -16,30 +17,6 @@ Eigen::VectorXd reordered_vector(const Eigen::VectorXd& values, std::span<const 
   for (std::size_t k = 0; k < order.size(); ++k)
     result.segment<3>(3 * static_cast<Eigen::Index>(k)) = values.segment<3>(3 * order[k]);
   return result;
-}
-
-/// Inertia of the vertices and the springs of the patches, `copies` coordinates for each vertex.
-Sparse inertia_and_patches(std::span<const double> mass, double lead, std::span<const Patch> patches,
-                           std::span<const int> order, int copies) {
-  std::vector<int> place(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto add = [&](int i, int j, double value) {
-    for (int c = 0; c < copies; ++c) entries.emplace_back(copies * i + c, copies * j + c, value);
-  };
-  for (std::size_t k = 0; k < mass.size(); ++k) add(static_cast<int>(k), static_cast<int>(k), mass[k] / (lead * lead));
-  for (const Patch& patch : patches) {
-    const double share = patch.stiffness / static_cast<double>(patch.vertices.size());
-    for (const int v : patch.vertices) {
-      const int i = place[static_cast<std::size_t>(v)];
-      add(i, i, patch.stiffness);
-      for (const int w : patch.vertices) add(i, place[static_cast<std::size_t>(w)], -share);
-    }
-  }
-  const auto size = static_cast<Eigen::Index>(mass.size()) * copies;
-  Sparse matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
 }
 
 /// Second derivative by the displacements of what viscosity costs in a step of unit length from the initial shape.
@@ -62,31 +39,31 @@ RestHessian::RestHessian(const Model& model, std::span<const int> order) {
 }
 
 StepFactors::StepFactors(const Model& model, std::span<const int> order, const FactorKey& key,
-                         std::span<const double> mass, std::span<const Patch> patches, const RestHessian* hessian)
+                         const Eigen::VectorXd& mass, std::span<const Patch> patches, const RestHessian* hessian)
     : key_(key),
-      scalar_(key.weight_scale * reordered(model.weight, order, 1) +
-                  (1 / key.lead) * reordered(model.viscous_weight, order, 1) +
-                  inertia_and_patches(mass, key.lead, patches, order, 1),
+      scalar_(reordered(key.weight_scale * model.weight + (1 / key.lead) * model.viscous_weight +
+                            inertia_and_patches(mass / (key.lead * key.lead), patches, 1),
+                        order, 1),
               1) {
-  if (!hessian) return;
-  block_.emplace(
-      hessian->sparse + (1 / key.lead) * hessian->viscous + inertia_and_patches(mass, key.lead, patches, order, 3), 3);
-  add_global_terms(*hessian);
+  if (hessian) add_block(order, mass, patches, *hessian);
 }
 
 /// H = S + sum_t k_t a_t a_t^T has H^-1 = S^-1 - Z C Z^T with Z = S^-1 a, C = (diag(1/k) + a^T Z)^-1.
-void StepFactors::add_global_terms(const RestHessian& hessian) {
+void StepFactors::add_block(std::span<const int> order, const Eigen::VectorXd& mass, std::span<const Patch> patches,
+                            const RestHessian& hessian) {
   const auto terms = static_cast<Eigen::Index>(hessian.dense.size());
-  Eigen::MatrixXd capacity = Eigen::MatrixXd::Zero(terms, terms);
-  std::vector<Eigen::VectorXd> z;
-  for (const auto& term : hessian.dense) z.push_back(block_->solve(term.direction));
+  Eigen::MatrixXd directions(3 * mass.size(), terms);
+  for (Eigen::Index t = 0; t < terms; ++t) directions.col(t) = hessian.dense[static_cast<std::size_t>(t)].direction;
+  Eigen::MatrixXd z = directions;
+  block_.emplace(hessian.sparse + (1 / key_.lead) * hessian.viscous +
+                     reordered(inertia_and_patches(mass / (key_.lead * key_.lead), patches, 3), order, 3),
+                 3, &z);
+  Eigen::MatrixXd capacity = directions.transpose() * z;
   for (Eigen::Index t = 0; t < terms; ++t) {
-    const auto& term = hessian.dense[static_cast<std::size_t>(t)];
-    capacity(t, t) += 1 / term.stiffness;
-    for (Eigen::Index u = 0; u < terms; ++u) capacity(t, u) += term.direction.dot(z[static_cast<std::size_t>(u)]);
+    capacity(t, t) += 1 / hessian.dense[static_cast<std::size_t>(t)].stiffness;
     // Padded with zeros to whole registers: a lone cell is read one register after the other.
-    AlignedVector<double> padded(static_cast<std::size_t>(term.direction.size()) + 16, 0.0);
-    std::copy_n(z[static_cast<std::size_t>(t)].data(), term.direction.size(), padded.begin());
+    AlignedVector<double> padded(static_cast<std::size_t>(z.rows()) + 16, 0.0);
+    std::copy_n(z.col(t).data(), z.rows(), padded.begin());
     direction_float_.emplace_back(padded.begin(), padded.end());
     direction_.push_back(std::move(padded));
   }
@@ -116,12 +93,11 @@ StepMatrices<H> StepFactors::view() const {
 template StepMatrices<double> StepFactors::view() const;
 template StepMatrices<float> StepFactors::view() const;
 
-LineageFactors::LineageFactors(const Model& model, std::span<const int> order, std::span<const double> solid_mass,
-                               double time_step, double beta)
+LineageFactors::LineageFactors(const Model& model, std::span<const int> order, double time_step, double beta)
     : time_step_(time_step),
       beta_(beta),
       damped_mass_(
-          time_step * beta * reordered(model.weight, order, 1) + inertia_and_patches(solid_mass, 1, {}, order, 1), 1) {
+          reordered(time_step * beta * model.weight + inertia_and_patches(model.solid_masses(), {}, 1), order, 1), 1) {
   const Eigen::SparseMatrix<double, Eigen::RowMajor> weight = reordered(model.weight, order, 1);
   row_start_.push_back(0);
   for (Eigen::Index i = 0; i < weight.rows(); ++i) {

@@ -36,9 +36,9 @@ struct FactorKey {
 /// The matrices of one step, factorised: shared by every cell with the same masses.
 class StepFactors {
  public:
-  /// `mass` per vertex (fg) in the kernels' order; `hessian` null: the scalar matrix only. Throws Error(bad_input)
+  /// `mass` per vertex of the model (fg); `hessian` null: the scalar matrix only. Throws Error(bad_input)
   /// where a matrix is not positive definite.
-  StepFactors(const Model& model, std::span<const int> order, const FactorKey& key, std::span<const double> mass,
+  StepFactors(const Model& model, std::span<const int> order, const FactorKey& key, const Eigen::VectorXd& mass,
               std::span<const Patch> patches, const RestHessian* hessian);
 
   const FactorKey& key() const { return key_; }
@@ -48,7 +48,8 @@ class StepFactors {
   StepMatrices<H> view() const;
 
  private:
-  void add_global_terms(const RestHessian& hessian);
+  void add_block(std::span<const int> order, const Eigen::VectorXd& mass, std::span<const Patch> patches,
+                 const RestHessian& hessian);
 
   FactorKey key_;
   SharedFactor scalar_;
@@ -61,8 +62,7 @@ class StepFactors {
 /// The lineage's M~ = M + dt Cbeta W, factorised, and W itself.
 class LineageFactors {
  public:
-  LineageFactors(const Model& model, std::span<const int> order, std::span<const double> solid_mass, double time_step,
-                 double beta);
+  LineageFactors(const Model& model, std::span<const int> order, double time_step, double beta);
 
   bool is_for(double time_step, double beta) const { return time_step_ == time_step && beta_ == beta; }
   LineageMatrices<double> view(double) const;

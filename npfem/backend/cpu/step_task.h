@@ -74,9 +74,9 @@ struct StepSettings {
   double past;                       ///< share of the last move in the next: 0, or 1/3 for BDF2
   double tolerance, residual_bound;  ///< pN
   int max_iterations, history, max_line_search;
-  int matrix;        ///< 0: chosen for each cell, 1: scalar, 2: block
-  bool looks_back;   ///< BDF2: the lags are kept for the next step
-  bool leave_short;  ///< a cell above its tolerance does not move: another method takes the step
+  bool always_blocks;  ///< whatever the shape; else chosen for each cell
+  bool looks_back;     ///< BDF2: the lags are kept for the next step
+  bool leave_short;    ///< a cell above its tolerance does not move: another method takes the step
   bool lineage;
   double lineage_alpha, lineage_beta, lineage_tolerance;
   int lineage_window, lineage_attempts;

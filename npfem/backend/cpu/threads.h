@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <exception>
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -23,11 +24,21 @@ inline int thread_count(int asked_for, int pieces) {
 }
 
 /// Calls work(piece, thread) for each piece; which thread takes which is not fixed, so results may not depend on it.
+/// What a piece throws is thrown here, once all threads have ended: it must not leave a thread.
 template <class Work>
 void for_each_piece(int pieces, int threads, Work&& work) {
 #ifdef _OPENMP
+  std::exception_ptr thrown;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (threads > 1)
-  for (int piece = 0; piece < pieces; ++piece) work(piece, omp_get_thread_num());
+  for (int piece = 0; piece < pieces; ++piece) {
+    try {
+      work(piece, omp_get_thread_num());
+    } catch (...) {
+#pragma omp critical
+      thrown = std::current_exception();
+    }
+  }
+  if (thrown) std::rethrow_exception(thrown);
 #else
   for (int piece = 0; piece < pieces; ++piece) work(piece, 0);
   static_cast<void>(threads);

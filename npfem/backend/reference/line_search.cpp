@@ -24,8 +24,10 @@ LineSearch line_search(const StepObjective& objective, const Trial& from, const 
       if (change <= sufficient_decrease * step * slope) return {step, trial};
       // Where the change of the objective drowns in its rounding, the slope decides instead (Hager & Zhang 2005,
       // approximate Wolfe condition): it must have become flatter.
+      // A force that is the gradient of nothing has no hill to go down: there the slope always decides.
       const double noise = rounding * std::max(from.scale, to.scale);
-      if (std::abs(change) <= noise && std::abs(inner(to.gradient, direction)) <= 0.9 * std::abs(slope)) {
+      const bool unclear = !objective.model.has_potential() || std::abs(change) <= noise;
+      if (unclear && std::abs(inner(to.gradient, direction)) <= 0.9 * std::abs(slope)) {
         return {step, trial};
       }
       // Minimum of the parabola through value, slope and the new value.

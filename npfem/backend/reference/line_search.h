@@ -23,8 +23,8 @@ struct LineSearch {
   int evaluations;  ///< of the objective
 };
 
-/// Backtracking along `direction` from `from`; writes the accepted point to `to`. Never accepts a point that is higher
-/// by more than the rounding of the objective.
+/// Backtracking along `direction` from `from`; writes the accepted point to `to`. Where the forces have a potential it
+/// never accepts a point that is higher by more than the rounding of the objective.
 LineSearch line_search(const StepObjective& objective, const Trial& from, const VertexField& direction, int max_trials,
                        Trial& to);
 

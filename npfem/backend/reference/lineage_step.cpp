@@ -41,8 +41,7 @@ class LineageObjective {
   LineageObjective(const Model& model, double dt, double beta, const VertexField& inertial,
                    std::vector<Contact> contacts)
       : model_(model), inertial_(inertial), contacts_(std::move(contacts)) {
-    const auto n = static_cast<Eigen::Index>(model.num_vertices());
-    const Eigen::Map<const Eigen::VectorXd> mass(model.solid_mass.data(), n);
+    const auto mass = model.solid_masses();
     damped_mass_ = dt * beta * model.weight;
     damped_mass_ += Eigen::SparseMatrix<double>(mass.asDiagonal());
     damped_mass_ *= 1 / (dt * dt);
@@ -104,7 +103,7 @@ bool wolfe_search(const LineageObjective& objective, const SolverOptions& option
 /// v <- v + Calpha (v_rigid - v), v_rigid the motion of a rigid body with the same momentum and angular momentum.
 void remove_deformation_rate(const Model& model, double alpha, const VertexField& x, VertexField& v) {
   const auto n = static_cast<Eigen::Index>(model.num_vertices());
-  const Eigen::Map<const Eigen::VectorXd> mass(model.solid_mass.data(), n);
+  const auto mass = model.solid_masses();
   const Eigen::RowVector3d centre = mass.transpose() * x / mass.sum();
   const Eigen::RowVector3d mean_velocity = mass.transpose() * v / mass.sum();
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();
@@ -128,7 +127,7 @@ void lineage_step(const Model& model, const LineageFactors& factors, std::span<c
                   const SolverOptions& options, CellState& cell) {
   const double dt = options.time_step;
   const auto n = static_cast<Eigen::Index>(model.num_vertices());
-  const Eigen::Map<const Eigen::VectorXd> mass(model.solid_mass.data(), n);
+  const auto mass = model.solid_masses();
   const Eigen::RowVector3d centre = cell.position.colwise().mean();
   const VertexField start = cell.position.rowwise() - centre;
 

@@ -7,6 +7,7 @@
 #include "backend/reference/line_search.h"
 
 namespace npfem {
+
 double attainable_residual(const StepObjective& objective) {
   constexpr double ulps = 32 * std::numeric_limits<double>::epsilon();
   const double stiffest_motion = objective.inertia.maxCoeff() + objective.dissipation.stiffest_diagonal();

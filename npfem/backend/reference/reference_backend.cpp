@@ -10,10 +10,6 @@
 namespace npfem {
 namespace {
 
-Eigen::VectorXd solid_mass(const Model& model) {
-  return Eigen::Map<const Eigen::VectorXd>(model.solid_mass.data(), model.num_vertices());
-}
-
 /// The numbers of one field of a cell (const where the cell is).
 template <class State>
 auto* field_data(State& cell, Field field) {
@@ -86,7 +82,7 @@ const StepFactor& ReferenceBackend::step_factor(double h, const Eigen::VectorXd&
   }
   constexpr std::size_t kept = 4;  // a batch has one set of masses and two h, or more while a host changes them
   if (factors_.size() == kept) factors_.erase(factors_.begin());
-  const Eigen::VectorXd inertia = (solid_mass(*model_) + ambient_mass) / (h * h);
+  const Eigen::VectorXd inertia = (model_->solid_masses() + ambient_mass) / (h * h);
   factors_.push_back(
       {h, ambient_mass, std::make_unique<StepFactor>(*model_, inertia, StepFactor::Scales{1.0, 1 / h}, patches_)});
   return *factors_.back().factor;
@@ -94,7 +90,7 @@ const StepFactor& ReferenceBackend::step_factor(double h, const Eigen::VectorXd&
 
 const LineageFactors& ReferenceBackend::lineage_factors(double time_step, double beta) {
   if (!lineage_factors_ || lineage_time_step_ != time_step || lineage_beta_ != beta) {
-    const Eigen::VectorXd mass = solid_mass(*model_);
+    const Eigen::VectorXd mass = model_->solid_masses();
     const double per_square = 1 / (time_step * time_step);
     // A factor can be built in place only, not moved.
     lineage_factors_.reset(new LineageFactors{StepFactor(*model_, mass, {time_step * beta, 0}, {}),

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "backend/reference/step_factor.h"
 
-#include <vector>
-
+#include "backend/inertia_and_patches.h"
 #include "error.h"
 
 namespace npfem {
@@ -17,18 +16,7 @@ void refuse_step_matrix() {
 
 StepFactor::StepFactor(const Model& model, const Eigen::VectorXd& diagonal, Scales scales,
                        std::span<const Patch> patches) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int i = 0; i < model.num_vertices(); ++i) entries.emplace_back(i, i, diagonal(i));
-  // Springs to the mean of a patch: stiffness * (1 - 1/m), a small dense block.
-  for (const Patch& patch : patches) {
-    const double share = patch.stiffness / static_cast<double>(patch.vertices.size());
-    for (const int i : patch.vertices) {
-      entries.emplace_back(i, i, patch.stiffness);
-      for (const int j : patch.vertices) entries.emplace_back(i, j, -share);
-    }
-  }
-  Eigen::SparseMatrix<double> matrix(model.num_vertices(), model.num_vertices());
-  matrix.setFromTriplets(entries.begin(), entries.end());
+  Eigen::SparseMatrix<double> matrix = inertia_and_patches(diagonal, patches, 1);
   matrix += scales.elastic * model.weight;
   if (model.is_viscous() && scales.viscous > 0) matrix += scales.viscous * model.viscous_weight;
   factor_.compute(matrix);

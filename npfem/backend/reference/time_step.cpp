@@ -7,6 +7,7 @@
 #include "backend/reference/minimise.h"
 
 namespace npfem {
+
 Differencing euler_differencing(const SolverOptions& options) {
   return {options.time_step, 0};
 }
@@ -31,7 +32,7 @@ void time_step(const Model& model, const StepFactor& factor, std::span<const Pat
   const double dt = options.time_step;
   const auto [h, past] = differencing(options, cell);
   const auto n = static_cast<Eigen::Index>(model.num_vertices());
-  const Eigen::Map<const Eigen::VectorXd> solid_mass(model.solid_mass.data(), n);
+  const auto solid_mass = model.solid_masses();
   const Eigen::VectorXd mass = solid_mass + cell.ambient_mass;
   const Eigen::VectorXd inertia = mass / (h * h);
   const VertexField last_move = dt * (cell.velocity + cell.lag_velocity);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
-#include "backend/cpu/kernel/quasi_newton.h"
+#include "backend/cpu/kernel/pack.h"
+#include "backend/cpu/step_task.h"
 
 namespace npfem::NPFEM_ISA {
 

@@ -11,7 +11,7 @@ template <class R, class H, int W>
 struct CellsInLanes {
   using P = Pack<R, W>;
   using Q = Pack<H, W>;
-  static constexpr int cells = W;
+  static constexpr int cells = W, lanes = W;
 
   static int length(int num_vertices) { return 3 * num_vertices; }
   template <class T>

@@ -13,7 +13,7 @@ template <class R, class H, int W>
 struct ElementsInLanes {
   using P = Pack<R, W>;
   using Q = Pack<H, W>;
-  static constexpr int cells = 1;
+  static constexpr int cells = 1, lanes = W;
 
   static int length(int num_vertices) { return (3 * num_vertices + W - 1) / W; }
 

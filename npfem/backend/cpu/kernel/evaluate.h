@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include "backend/cpu/kernel/carver.h"
 #include "backend/cpu/kernel/cell_fields.h"
 
 namespace npfem::NPFEM_ISA {

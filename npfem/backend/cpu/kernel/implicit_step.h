@@ -5,10 +5,13 @@
 
 #include "backend/cpu/kernel/cell_fields.h"
 #include "backend/cpu/kernel/epsilon.h"
+#include "backend/cpu/kernel/lane_search.h"
+#include "backend/cpu/kernel/quasi_newton.h"
+#include "backend/cpu/kernel/shape_match.h"
 
 namespace npfem::NPFEM_ISA {
 
-/// One implicit step of W cells at once, or of one: the algorithm of the back end "reference" (implicit_euler.h,
+/// One implicit step of W cells at once, or of one: the algorithm of the back end "reference" (time_step.h,
 /// minimise.cpp, objective.cpp), which says what each formula means. All cells iterate together; one that has converged
 /// or failed stands still until the others are done, and nothing a cell does is felt by its neighbours.
 template <class Shape, class R, class H, int W>
@@ -129,62 +132,13 @@ class ImplicitStep {
   void choose_matrix() {
     Matrix3<P> rotation{};
     M blocks = M::none();
-    if (task_.matrices->has_block && settings_.matrix != 1) {
-      P departure;
-      rotation = orthogonal_factor<R>(moment(), departure);
-      const P strain = strain_square(rotation);
-      blocks = departure < P(R(1e-4));
-      if (settings_.matrix == 0) blocks = blocks & (strain < P(R(largest_strain_square)));
+    if (task_.matrices->has_block) {
+      const ShapeMatch<P> match = match_shape<Shape, R>(start_, task_.rest_shape, n_);
+      rotation = match.rotation;
+      blocks = match.not_orthogonal < P(R(1e-4));
+      if (!settings_.always_blocks) blocks = blocks & (match.strain_square < P(R(largest_strain_square)));
     }
     search_.choose(blocks, rotation);
-  }
-
-  /// Sum of x X^T, X the shape at rest about its centre.
-  Matrix3<P> moment() const {
-    R sum[3][3][cells] = {};
-    for (int i = 0; i < n_; ++i) {
-      for (int a = 0; a < 3; ++a) {
-        const R* const x = Fields::row(start_, 3 * i + a);
-        for (int b = 0; b < 3; ++b) {
-          const R rest = static_cast<R>(task_.rest_shape[3 * i + b]);
-          for (int l = 0; l < cells; ++l) sum[a][b][l] += x[l] * rest;
-        }
-      }
-    }
-    Matrix3<P> m;
-    for (int a = 0; a < 3; ++a) {
-      P* const row[3] = {&m.row[a].x, &m.row[a].y, &m.row[a].z};
-      for (int b = 0; b < 3; ++b) {
-        for (int l = 0; l < W; ++l) row[b]->set(l, sum[a][b][cells == 1 ? 0 : l]);
-      }
-    }
-    return m;
-  }
-
-  /// Mean square distance to the turned shape at rest, over its mean square size.
-  P strain_square(const Matrix3<P>& rotation) const {
-    R q[3][3][cells], distance[cells] = {}, size = 0;
-    for (int a = 0; a < 3; ++a) {
-      const P* const row[3] = {&rotation.row[a].x, &rotation.row[a].y, &rotation.row[a].z};
-      for (int b = 0; b < 3; ++b) {
-        for (int l = 0; l < cells; ++l) q[a][b][l] = (*row[b])[l];
-      }
-    }
-    for (int i = 0; i < n_; ++i) {
-      const R x = static_cast<R>(task_.rest_shape[3 * i]), y = static_cast<R>(task_.rest_shape[3 * i + 1]),
-              z = static_cast<R>(task_.rest_shape[3 * i + 2]);
-      size += x * x + y * y + z * z;
-      for (int a = 0; a < 3; ++a) {
-        const R* const at = Fields::row(start_, 3 * i + a);
-        for (int l = 0; l < cells; ++l) {
-          const R gap = at[l] - (q[a][0][l] * x + q[a][1][l] * y + q[a][2][l] * z);
-          distance[l] += gap * gap;
-        }
-      }
-    }
-    P strain;
-    for (int l = 0; l < W; ++l) strain.set(l, distance[cells == 1 ? 0 : l] / size);
-    return strain;
   }
 
   /// Phi at displacements d; writes its gradient and the sum of the magnitudes of its parts.
@@ -243,12 +197,7 @@ class ImplicitStep {
     return Shape::largest(most);
   }
 
-  P inner(const P* a, const P* b) const {
-    P sum(R(0)), second(R(0));
-    for (int i = 0; i + 1 < length_; i += 2) sum += a[i] * b[i], second += a[i + 1] * b[i + 1];
-    if (length_ % 2 == 1) sum += a[length_ - 1] * b[length_ - 1];
-    return Shape::sum(sum + second);
-  }
+  P slope_along_direction(const P* gradient) const { return inner<Shape>(gradient, direction_, length_); }
 
   /// What rounding allows, or the tolerance asked for where that is more.
   P tolerance() const {
@@ -266,17 +215,11 @@ class ImplicitStep {
     return larger(P(static_cast<R>(settings_.tolerance)), attainable);
   }
 
-  M active_lanes() const {
-    M lanes = M::none();
-    for (int l = 0; l < W; ++l) lanes.set(l, cells == 1 || (task_.active >> l & 1u) != 0);
-    return lanes;
-  }
-
   void minimise() {
     P scale, value = evaluate(here_, gradient_, scale);
     const P limit = tolerance();
     P worst = residual(gradient_);
-    M running = active_lanes();
+    M running = cells_of<Shape, M>(task_.active);
     for (int l = 0; l < cells; ++l) {
       report_[l] = {};
       report_[l].evaluations = 1;
@@ -294,12 +237,12 @@ class ImplicitStep {
         report_[l].hessian_iterations += running[l] && search_.uses_blocks(l) ? 1 : 0;
       }
       search_.direction(gradient_, direction_);
-      P slope = inner(gradient_, direction_);
+      P slope = slope_along_direction(gradient_);
       const M uphill = running & !(slope < P(R(0)));
       if (uphill.any()) {
         search_.forget(uphill);
         search_.direction(gradient_, direction_);
-        slope = inner(gradient_, direction_);
+        slope = slope_along_direction(gradient_);
       }
       P next_value = value, next_scale = scale;
       const M failed = line_search(running, slope, value, scale, next_value, next_scale);
@@ -313,8 +256,8 @@ class ImplicitStep {
       }
       search_.remember(here_, there_, gradient_, trial_gradient_, R(1e-12));
       remembers = (remembers | running) & !failed;
-      swap(here_, there_);
-      swap(gradient_, trial_gradient_);
+      swap_fields(here_, there_);
+      swap_fields(gradient_, trial_gradient_);
       value = next_value, scale = next_scale;
       worst = residual(gradient_);
       stop(running, worst <= limit, CellStatus::converged, worst);
@@ -366,7 +309,7 @@ class ImplicitStep {
       const M fallen = change <= R(1e-4) * step * slope;
       M accepted = finite & fallen;
       if ((searching & !accepted).any()) {
-        const M flatter = magnitude(inner(trial_gradient_, direction_)) <= R(0.9) * magnitude(slope);
+        const M flatter = magnitude(slope_along_direction(trial_gradient_)) <= R(0.9) * magnitude(slope);
         // A force that is no gradient has no hill to go down: the slope alone decides.
         const M unclear = plan_.has_potential ? magnitude(change) <= noise : M::all();
         accepted = accepted | (finite & unclear & flatter);
@@ -413,9 +356,7 @@ class ImplicitStep {
     const auto left = static_cast<double>(worst[l]);
     report_[l].status = left <= settings_.residual_bound ? CellStatus::iteration_cap : otherwise;
     report_[l].residual = left;
-    for (int k = 0; k < W; ++k) {
-      if (cells == 1 || k == l) running.set(k, false);
-    }
+    set_cell<Shape>(running, l, false);
   }
 
   /// The rigid translation that makes momentum exact, then the new state of the cells that move.
@@ -472,13 +413,6 @@ class ImplicitStep {
       x[l] += moves[l] ? move[l] : 0.0;
       v[l] = moves[l] ? velocity[l] : v[l];
     }
-  }
-
-  template <class T>
-  static void swap(T*& a, T*& b) {
-    T* const c = a;
-    a = b;
-    b = c;
   }
 
   static constexpr double largest_strain_square = 0.5;

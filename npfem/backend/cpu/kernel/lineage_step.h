@@ -5,6 +5,8 @@
 
 #include "backend/cpu/kernel/cell_fields.h"
 #include "backend/cpu/kernel/epsilon.h"
+#include "backend/cpu/kernel/lane_search.h"
+#include "backend/cpu/kernel/quasi_newton.h"
 
 namespace npfem::NPFEM_ISA {
 
@@ -104,16 +106,9 @@ class LineageStep {
     return energy;
   }
 
-  P inner(const P* a, const P* b) const {
-    P sum(R(0));
-    for (int i = 0; i < length_; ++i) sum += a[i] * b[i];
-    return Shape::sum(sum);
-  }
-
   void iterate() {
     P value = evaluate(here_, gradient_);
-    M running = M::none();
-    for (int l = 0; l < W; ++l) running.set(l, cells == 1 || (task_.active >> l & 1u) != 0);
+    M running = cells_of<Shape, M>(task_.active);
     for (int l = 0; l < cells; ++l) {
       report_[l] = {};
       report_[l].tolerance = settings_.lineage_tolerance;
@@ -127,10 +122,10 @@ class LineageStep {
       P next = value;
       const M failed = wolfe_search(running, value, next);
       search_.remember(here_, there_, gradient_, trial_gradient_, R(-2));
-      swap(here_, there_);
-      swap(gradient_, trial_gradient_);
+      swap_fields(here_, there_);
+      swap_fields(gradient_, trial_gradient_);
       value = next;
-      const P norm = square_root(inner(gradient_, gradient_));
+      const P norm = square_root(inner<Shape>(gradient_, gradient_, length_));
       for (int l = 0; l < cells; ++l) {
         if (running[l]) judge(running, l, static_cast<double>(value[l]), static_cast<double>(norm[l]), failed[l]);
       }
@@ -141,7 +136,7 @@ class LineageStep {
   /// Halves the step until Armijo and curvature conditions hold; the last trial stands even where they do not. Returns
   /// the cells for which they did not.
   M wolfe_search(M running, P value, P& next) {
-    const P slope = inner(gradient_, direction_);
+    const P slope = inner<Shape>(gradient_, direction_, length_);
     P step = select(running, P(R(1)), P(R(0)));
     M searching = running;
     for (int trial = 0; trial < settings_.max_line_search; ++trial) {
@@ -152,7 +147,8 @@ class LineageStep {
       // In single precision the fall drowns in the rounding of the objective; in double the lineage's test stands.
       const P noise = sizeof(R) == 8 ? P(R(0)) : R(16) * epsilon<R> * magnitude(value);
       const M armijo = next <= value + static_cast<R>(settings_.lineage_armijo) * step * slope + noise;
-      const M curvature = static_cast<R>(settings_.lineage_curvature) * slope <= inner(trial_gradient_, direction_);
+      const M curvature =
+          static_cast<R>(settings_.lineage_curvature) * slope <= inner<Shape>(trial_gradient_, direction_, length_);
       searching = searching & !(armijo & curvature);
       if (!searching.any()) break;
     }
@@ -167,9 +163,7 @@ class LineageStep {
     ++num_recent_[l];
     if (norm <= settings_.lineage_tolerance || scatter_is_small(l) ||
         failed_searches_[l] >= settings_.lineage_attempts || report_[l].iterations >= settings_.max_iterations) {
-      for (int k = 0; k < W; ++k) {
-        if (cells == 1 || k == l) running.set(k, false);
-      }
+      set_cell<Shape>(running, l, false);
     }
   }
 
@@ -295,13 +289,6 @@ class LineageStep {
     const double determinant = m[0] * cofactor[0] + m[1] * cofactor[1] + m[2] * cofactor[2];
     for (int c = 0; c < 3; ++c)
       x[c] = (cofactor[c] * b[0] + cofactor[3 + c] * b[1] + cofactor[6 + c] * b[2]) / determinant;
-  }
-
-  template <class T>
-  static void swap(T*& a, T*& b) {
-    T* const c = a;
-    a = b;
-    b = c;
   }
 
   const cpu::StepTask<R, H>& task_;

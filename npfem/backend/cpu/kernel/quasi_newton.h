@@ -1,28 +1,11 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include "backend/cpu/kernel/carver.h"
 #include "backend/cpu/kernel/rotation.h"
 #include "backend/cpu/kernel/substitution.h"
 
 namespace npfem::NPFEM_ISA {
-
-/// Takes memory for fields one after the other from one block; each starts on a cache line.
-class Carver {
- public:
-  explicit Carver(void* memory) : next_(static_cast<char*>(memory)) {}
-  template <class T>
-  T* take(int count) {
-    T* const taken = reinterpret_cast<T*>(next_);
-    next_ += (static_cast<std::size_t>(count) * sizeof(T) + 63) / 64 * 64;
-    return taken;
-  }
-  std::size_t used(const void* memory) const {
-    return static_cast<std::size_t>(next_ - static_cast<const char*>(memory));
-  }
-
- private:
-  char* next_;
-};
 
 /// Search directions of W cells at once, or of one: L-BFGS around a constant matrix (see reference/lbfgs.h). A pair
 /// whose `rho` is zero in a lane does not exist for that lane, so lanes may forget on their own.

@@ -2,8 +2,11 @@
 // What the back end "cpu" promises beyond agreement with the reference: its matrices, its rounding, its kernels.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstdlib>
+#include <stdexcept>
 
+#include "backend/cpu/threads.h"
 #include "cpu_cells.h"
 #include "error.h"
 
@@ -118,6 +121,38 @@ TEST(CpuBackend, StepsOfOtherLengthsBeforeLeaveNoTrace) {
     EXPECT_EQ(batch->step(3), 0);
   }
   EXPECT_EQ(used.state_hash(0), fresh.state_hash(0));
+}
+
+TEST(CpuBackend, EveryCellMayHaveItsOwnMasses) {
+  // More masses than a step handles at once; every cell must still make its own step, once.
+  const auto model = testing::cell_of("rbc");
+  constexpr int cells = 19;
+  const auto prepare = [](Batch& batch, int cell, int kind) {
+    testing::set_in_motion(batch, cell, 3);
+    testing::immerse(batch, cell, 5e-3, 1 + kind);
+  };
+  Batch together(model, "cpu", cells);
+  for (int c = 0; c < cells; ++c) prepare(together, c, c);
+  EXPECT_EQ(together.step(3), 0);
+  for (int c = 0; c < cells; ++c) {
+    Batch alone(model, "cpu", 1);
+    prepare(alone, 0, c);
+    EXPECT_EQ(alone.step(3), 0);
+    EXPECT_EQ(alone.state_hash(0), together.state_hash(c)) << "cell " << c;
+  }
+}
+
+TEST(CpuBackend, WhatAThreadThrowsReachesTheCaller) {
+  for (const int threads : {1, 4}) {
+    std::atomic<int> done{0};
+    EXPECT_THROW(cpu::for_each_piece(8, threads,
+                                     [&](int piece, int) {
+                                       if (piece == 3) throw std::runtime_error("piece 3");
+                                       ++done;
+                                     }),
+                 std::runtime_error);
+    EXPECT_LE(done, 7);
+  }
 }
 
 TEST(CpuBackend, MomentumClosesWhateverTheTolerance) {
