@@ -59,12 +59,12 @@ FaceComponents leaving_populations() {
   return components;
 }
 
-std::vector<std::array<double, kDirections>> wall_terms(const std::vector<Vec3>& wall_velocity) {
+std::vector<std::array<double, kDirections>> wall_terms(const std::vector<Boundary>& boundaries) {
   std::vector<std::array<double, kDirections>> terms;
-  for (const Vec3& velocity : wall_velocity) {
+  for (const Boundary& boundary : boundaries) {
     auto& term = terms.emplace_back();
     for (int i = 0; i < kDirections; ++i) {
-      term[std::size_t(i)] = 6.0 * d3q19::weight(i) * d3q19::along(i, velocity);
+      term[std::size_t(i)] = 6.0 * d3q19::weight(i) * d3q19::along(i, boundary.velocity);
     }
   }
   return terms;
@@ -79,7 +79,7 @@ Lattice::Lattice(Communicator& communicator, const Decomposition& decomposition,
       options_(checked(options)),
       grid_(decomposition.box(communicator.rank()), kHalo),
       nodes_(agreed_node_map(communicator, decomposition, grid_, geometry)),
-      wall_term_(wall_terms(geometry.wall_velocity)),
+      wall_term_(wall_terms(geometry.boundaries)),
       stride_(grid_.component_stride()),
       populations_(std::size_t(kDirections * stride_)),
       next_populations_(std::size_t(kDirections * stride_)),
@@ -92,7 +92,7 @@ Lattice::Lattice(Communicator& communicator, const Decomposition& decomposition,
     const NodeType type = nodes_.type(n);
     if (type == kFluid) continue;
     for (int axis = 0; axis < 3; ++axis) {
-      velocity_.data()[axis * stride_ + n] = geometry.wall_velocity[std::size_t(type - 1)][std::size_t(axis)];
+      velocity_.data()[axis * stride_ + n] = geometry.boundaries[std::size_t(type - 1)].velocity[std::size_t(axis)];
     }
   }
   initialise([](int, int, int) { return FluidState{}; });

@@ -107,6 +107,16 @@ class Lattice {
   const double* population(int i) const { return populations_.data() + i * stride_; }
   double* population(int i) { return populations_.data() + i * stride_; }
 
+  // The state at one own node, local indices: what a checkpoint keeps. Populations are deviations from the weights;
+  // force is what the lattice holds (see clear_force), on solid nodes what the wall bears.
+  using Populations = std::array<double, d3q19::kDirections>;
+  Populations populations_at(int ix, int iy, int iz) const;
+  void set_populations_at(int ix, int iy, int iz, const Populations& populations);
+  Vec3 force_at(int ix, int iy, int iz) const;
+  void set_force_at(int ix, int iy, int iz, const Vec3& force);
+  // Own and halo nodes, as of the last update_velocity().
+  Vec3 velocity_at(int ix, int iy, int iz) const;
+
   // At one own fluid node, local indices. Velocity and strain rate count half of the held force, as update_velocity().
   double density_deviation(int ix, int iy, int iz) const;
   Vec3 node_velocity(int ix, int iy, int iz) const;

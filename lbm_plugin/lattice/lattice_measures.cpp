@@ -38,6 +38,31 @@ constexpr std::uint64_t mix(std::uint64_t x) {
 
 }  // namespace
 
+Lattice::Populations Lattice::populations_at(int ix, int iy, int iz) const {
+  Populations values;
+  for (int i = 0; i < kDirections; ++i) values[std::size_t(i)] = population(i)[grid_.index(ix, iy, iz)];
+  return values;
+}
+
+void Lattice::set_populations_at(int ix, int iy, int iz, const Populations& populations) {
+  for (int i = 0; i < kDirections; ++i) population(i)[grid_.index(ix, iy, iz)] = populations[std::size_t(i)];
+}
+
+Vec3 Lattice::force_at(int ix, int iy, int iz) const {
+  const std::ptrdiff_t n = grid_.index(ix, iy, iz);
+  return {force(0)[n], force(1)[n], force(2)[n]};
+}
+
+void Lattice::set_force_at(int ix, int iy, int iz, const Vec3& value) {
+  const std::ptrdiff_t n = grid_.index(ix, iy, iz);
+  for (int axis = 0; axis < 3; ++axis) force(axis)[n] = value[std::size_t(axis)];
+}
+
+Vec3 Lattice::velocity_at(int ix, int iy, int iz) const {
+  const std::ptrdiff_t n = grid_.index(ix, iy, iz);
+  return {velocity(0)[n], velocity(1)[n], velocity(2)[n]};
+}
+
 Vec3 Lattice::node_bare_momentum(std::ptrdiff_t n) const {
   return load_pairs(populations_.data() + n, stride_).momentum();
 }

@@ -18,8 +18,8 @@ void check_type(NodeType type, const Index3& node, bool outside, std::size_t wal
                                 " is fluid but lies beyond a face that is not periodic; there it must be a wall");
   }
   if (type != kFluid && std::size_t(type) > walls) {
-    throw std::invalid_argument(place(node) + " belongs to wall " + std::to_string(type - 1) + ", but there are " +
-                                std::to_string(walls) + " walls");
+    throw std::invalid_argument(place(node) + " belongs to boundary " + std::to_string(type - 1) + ", but there are " +
+                                std::to_string(walls) + " boundaries");
   }
 }
 
@@ -47,7 +47,7 @@ void NodeMap::find_types(const Decomposition& decomposition, const LocalGrid& gr
           outside = outside || i < 0 || i == n;
         }
         const NodeType type = geometry.node_type(node[0], node[1], node[2]);
-        check_type(type, node, outside, geometry.wall_velocity.size());
+        check_type(type, node, outside, geometry.boundaries.size());
         types_[std::size_t(grid.index(ix, iy, iz))] = type;
       }
     }

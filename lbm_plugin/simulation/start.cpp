@@ -56,7 +56,7 @@ Geometry lattice_geometry(const Domain& domain, const Units& units) {
   Geometry geometry;
   geometry.node_type = [domain](int ix, int iy, int iz) { return domain.node_kind({ix, iy, iz}); };
   for (std::uint8_t kind = 1; kind <= 3; ++kind) {
-    geometry.wall_velocity.push_back(scale(1.0 / units.velocity(), domain.wall_velocity(kind)));
+    geometry.boundaries.push_back({.velocity = scale(1.0 / units.velocity(), domain.wall_velocity(kind))});
   }
   return geometry;
 }

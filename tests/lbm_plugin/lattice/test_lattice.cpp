@@ -115,9 +115,10 @@ TEST(Lattice, RefusesNonsense) {
             "relaxation time tau = nan; it must exceed 1/2, where the viscosity is zero");
   EXPECT_EQ(refusal({1.0, 0.0, {}}), "magic parameter 0.000000; it must be positive");
   EXPECT_EQ(refusal({1.0, 0.1875, {0.0, std::nan(""), 0.0}}), "the body force is not finite");
-  EXPECT_EQ(refusal({}, {[](int, int, int) { return wall(0); }, {Vec3{}}}), "the geometry has no fluid node");
+  EXPECT_EQ(refusal({}, {[](int, int, int) { return wall(0); }, {npfem::flow::Boundary{}}}),
+            "the geometry has no fluid node");
   EXPECT_EQ(refusal({}, {[](int, int, int) { return wall(0); }, {}}),
-            "node (2, 2, 2) belongs to wall 0, but there are 0 walls");
+            "node (2, 2, 2) belongs to boundary 0, but there are 0 boundaries");
 }
 
 }  // namespace

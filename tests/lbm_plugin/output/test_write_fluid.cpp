@@ -15,7 +15,7 @@ TEST(WriteFluid, ReadsBackNodeByNodeInPhysicalUnits) {
   const Decomposition grid(nodes, {true, false, true}, world().size());
   Geometry geometry;
   geometry.node_type = [](int, int iy, int iz) { return iy < 0 || iy > 5 || (iy == 0 && iz == 4) ? wall(0) : kFluid; };
-  geometry.wall_velocity = {Vec3{}};
+  geometry.boundaries = {Boundary{}};
   Lattice lattice(world(), grid, geometry, {});
   const auto state = [](int ix, int iy, int iz) {
     return FluidState{1e-3 * (ix + 10 * iy + 100 * iz), {1e-4 * ix, 1e-4 * iy, 1e-4 * iz}};

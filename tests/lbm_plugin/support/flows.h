@@ -27,7 +27,7 @@ inline Geometry plates(int axis, int n, const Vec3& low_velocity, const Vec3& hi
             const int i = std::array{ix, iy, iz}[std::size_t(axis)];
             return i < 0 ? npfem::flow::wall(0) : (i >= n ? npfem::flow::wall(1) : kFluid);
           },
-          {low_velocity, high_velocity}};
+          {{.velocity = low_velocity}, {.velocity = high_velocity}}};
 }
 
 // Round tube along x through the middle of an n x n section.
@@ -37,7 +37,7 @@ inline Geometry tube(int n, double radius) {
             const double z = iz - 0.5 * (n - 1);
             return y * y + z * z < radius * radius ? kFluid : npfem::flow::wall(0);
           },
-          {Vec3{}}};
+          {npfem::flow::Boundary{}}};
 }
 
 // The same numbers in [-1, 1) for the same keys, on any rank.
