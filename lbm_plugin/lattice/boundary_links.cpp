@@ -21,29 +21,38 @@ constexpr std::ptrdiff_t far_shift(bool odd_step) {
   return odd_step ? 0 : -8;
 }
 
-/// What a pressure face sends back beside the reversed population, without the part of the given density.
-double passing_term(int direction, const Vec3& u) {
-  const double cu = d3q19::along(direction, u);
-  return d3q19::weight(direction) * (9.0 * cu * cu - 3.0 * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]));
-}
-
-/// Velocity of a node after collision, u = j - F/2 with the momentum j of what has left it.
-template <class Real>
-Vec3 velocity_after(const FluidFields<Real>& fields, NodeNumber node, const std::array<NodeNumber, 9>& far_nodes) {
+/// A node as a pressure face sees it.
+struct NodeState {
+  std::array<double, 9> even;  // f_i + f_i+1, by pairs
+  double density_deviation;
   Vec3 velocity;
+};
+
+template <class Real>
+NodeState state_of(const FluidFields<Real>& fields, NodeNumber node, const std::array<NodeNumber, 9>& far_nodes) {
+  NodeState state{{}, double{fields.populations[population_index(node, 0)]}, {}};
+  for (std::size_t p = 0; p < 9; ++p) {
+    const int i = static_cast<int>(2 * p + 1);
+    const double up = fields.populations[population_index(node, near_place(i, fields.odd_step))];
+    const double down = fields.populations[population_index(far_nodes[p], far_place(i, fields.odd_step))];
+    state.even[p] = up + down;
+    state.density_deviation += up + down;
+    for (std::size_t axis = 0; axis < 3; ++axis) state.velocity[axis] += kVelocity[2 * p + 1][axis] * (up - down);
+  }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double force = fields.force == nullptr
                              ? fields.body_force[axis]
                              : static_cast<double>(fields.force[3 * std::ptrdiff_t{node} + std::ptrdiff_t(axis)]);
-    velocity[axis] = -0.5 * force;
+    state.velocity[axis] += 0.5 * force;
   }
-  for (std::size_t p = 0; p < 9; ++p) {
-    const int i = static_cast<int>(2 * p + 1);
-    const double up = fields.populations[population_index(far_nodes[p], far_place(i, fields.odd_step))];
-    const double down = fields.populations[population_index(node, near_place(i, fields.odd_step))];
-    for (std::size_t axis = 0; axis < 3; ++axis) velocity[axis] += kVelocity[2 * p + 1][axis] * (up - down);
-  }
-  return velocity;
+  return state;
+}
+
+/// Even part of the equilibrium.
+double even_equilibrium(int direction, double density_deviation, const Vec3& u) {
+  const double cu = d3q19::along(direction, u);
+  const double uu = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+  return d3q19::weight(direction) * (density_deviation + 4.5 * cu * cu - 1.5 * uu);
 }
 
 }  // namespace
@@ -76,16 +85,30 @@ void BoundaryLinks::add_link(const NodeMap& nodes, const Geometry& geometry, con
   const bool up = direction % 2 == 1;
   Link link{population_index(number(up ? beyond : node), up ? direction + 1 : direction), direction, type - 1, 0};
   if (boundary.kind == Boundary::Kind::velocity) {
-    const Index3& first = nodes.own().begin;
-    const double share =
-        boundary.profile ? boundary.profile(beyond[0] + first[0], beyond[1] + first[1], beyond[2] + first[2]) : 1.0;
+    Vec3 half_way;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      half_way[axis] = nodes.own().begin[axis] + 0.5 * (node[axis] + beyond[axis] + 1);
+    }
+    const double share = boundary.profile ? boundary.profile(half_way) : 1.0;
     link.term = 6.0 * d3q19::weight(direction) * d3q19::along(direction, boundary.velocity) * share;
     links_.push_back(link);
     return;
   }
-  link.term = 2.0 * d3q19::weight(direction) * boundary.density_deviation;
-  PressureLink& open = pressure_links_.emplace_back(PressureLink{link, number(node), {}});
+  link.term = boundary.density_deviation;
+  PressureLink& open = pressure_links_.emplace_back(PressureLink{link, number(node), {}, 0});
   for (std::size_t p = 0; p < 9; ++p) open.far_nodes[p] = number(beside(static_cast<int>(2 * p + 1)));
+}
+
+template <class Real>
+void BoundaryLinks::look_ahead(const FluidFields<Real>& fields) {
+  for (PressureLink& open : pressure_links_) {
+    const int i = open.link.direction;
+    const double given = open.link.term * factors_[static_cast<std::size_t>(open.link.boundary)];
+    const NodeState node = state_of(fields, open.node, open.far_nodes);
+    const double departure = 0.5 * node.even[static_cast<std::size_t>((i - 1) / 2)] -
+                             even_equilibrium(i, node.density_deviation, node.velocity);
+    open.added = 2.0 * even_equilibrium(i, given, node.velocity) + (2.0 - fields.rates[0].even) * departure;
+  }
 }
 
 template <class Real>
@@ -113,9 +136,7 @@ void BoundaryLinks::turn_back_plane(const FluidFields<Real>& fields, std::size_t
     const Link& link = open.link;
     const std::size_t up = link.direction % 2 == 1 ? 1 : 0;
     const Real gone = populations[link.near_even + leaving[up]];
-    const double given = link.term * factors_[static_cast<std::size_t>(link.boundary)];
-    const Vec3 u = velocity_after(fields, open.node, open.far_nodes);
-    const auto back = static_cast<Real>(given + passing_term(link.direction, u) - gone);
+    const auto back = static_cast<Real>(open.added - gone);
     populations[link.near_even + leaving[1 - up]] = back;
     book(link, double{gone} + double{back});
   }
@@ -143,6 +164,8 @@ void BoundaryLinks::turn_back(const FluidFields<Real>& fields) {
   impulse_ = value_of(all);
 }
 
+template void BoundaryLinks::look_ahead(const FluidFields<double>&);
+template void BoundaryLinks::look_ahead(const FluidFields<float>&);
 template void BoundaryLinks::turn_back(const FluidFields<double>&);
 template void BoundaryLinks::turn_back(const FluidFields<float>&);
 

@@ -5,9 +5,12 @@
 //
 //   velocity   half-way bounce-back, moving walls after Ladd (1994): the population returns with 6 w_i (c_i . u)
 //              subtracted. An inlet is a wall through which fluid is pushed;
-//   pressure   anti-bounce-back (Ginzburg, Verhaeghe & d'Humieres 2008): the population returns with its sign changed
-//              and twice the even part of the equilibrium at the given density added, the velocity being that of the
-//              node: fluid passes, and the pressure half-way between the nodes is the given one.
+//   pressure   anti-bounce-back (Ginzburg, Verhaeghe & d'Humieres 2008, Commun. Comput. Phys. 3, 427): the population
+//              returns with its sign changed and  2 e_i + (2 - 1/tau) n_i  added, e_i the even part of the equilibrium
+//              at the given density and the velocity of the node, n_i the even part of its departure from equilibrium:
+//              fluid passes, the pressure is the given one, and the viscous stress is left as it is. In a developed
+//              flow through the face, whose stress changes along the diagonal links, the pressure is met at the last
+//              node, half a node spacing inside the face.
 
 #include <array>
 #include <cstddef>
@@ -27,7 +30,10 @@ class BoundaryLinks {
   // Multiplies velocity or density deviation of one boundary from now on: what varies in time.
   void set_factor(int boundary, double factor) { factors_[static_cast<std::size_t>(boundary)] = factor; }
 
-  // Turns round what has left the fluid in the step just done, the one that `fields` describes.
+  // Before the collision of the step that `fields` describes: what pressure faces need to know of it.
+  template <class Real>
+  void look_ahead(const FluidFields<Real>& fields);
+  // After it: turns round what has left the fluid.
   template <class Real>
   void turn_back(const FluidFields<Real>& fields);
 
@@ -44,12 +50,13 @@ class BoundaryLinks {
     std::ptrdiff_t near_even;  // index of the near place in even steps
     std::int32_t direction;
     std::int32_t boundary;
-    double term;  // at factor 1: 6 w_i c_i . u of a velocity link, 2 w_i drho of a pressure link
+    double term;  // at factor 1: 6 w_i c_i . u of a velocity link, rho - 1 of a pressure link
   };
   struct PressureLink {
     Link link;
     NodeNumber node;
-    std::array<NodeNumber, 9> far_nodes;  // x + c_i for the nine pairs: they keep half of what has left the node
+    std::array<NodeNumber, 9> far_nodes;  // x + c_i for the nine pairs: they keep half of its populations
+    double added;                         // to the reversed population in this step
   };
   struct Plane {
     std::size_t first_link, first_pressure_link;

@@ -98,7 +98,9 @@ void Lattice::set_wall_velocity(const Geometry& geometry) {
           const Boundary& boundary = geometry.boundaries[std::size_t(type - 1)];
           if (boundary.kind != Boundary::Kind::velocity) continue;
           const Index3& first = nodes_.own().begin;
-          const double share = boundary.profile ? boundary.profile(ix + first[0], iy + first[1], iz + first[2]) : 1.0;
+          const double share = boundary.profile
+                                   ? boundary.profile({ix + first[0] + 0.5, iy + first[1] + 0.5, iz + first[2] + 0.5})
+                                   : 1.0;
           for (std::size_t axis = 0; axis < 3; ++axis) {
             numbers.velocity.data()[3 * std::size_t(node) + axis] = static_cast<Real>(share * boundary.velocity[axis]);
           }
@@ -181,6 +183,7 @@ void Lattice::step() {
 template <class Real>
 void Lattice::step_with(Numbers<Real>& numbers) {
   const FluidFields<Real> all = fields(numbers);
+  links_.look_ahead(all);
   const auto collide = kernels<Real>(instruction_set_).collide;
   for_each_row(nodes_.rows_near_neighbours(), [&](NodeMap::Row row) { collide(all, row); });
   population_exchange_.start(all);
