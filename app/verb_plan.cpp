@@ -45,6 +45,8 @@ const char* name_of(flow::DomainKind kind) {
       return "shear_box";
     case flow::DomainKind::plates:
       return "plates";
+    case flow::DomainKind::vessel:
+      return "vessel";
     case flow::DomainKind::periodic_box:
       break;
   }
@@ -118,7 +120,7 @@ Json describe(const flow::Scene& scene) {
       {"repulsion",
        {{"between_cells", several && setup.cell_repulsion.range > 0},
         {"from_walls",
-         vertices > 0 && setup.domain.kind != flow::DomainKind::periodic_box && setup.wall_repulsion.range > 0}}},
+         vertices > 0 && setup.domain.has_walls() && setup.wall_repulsion.range > 0}}},
       {"cells", describe_cells(scene, counts)},
       {"run", {{"steps", scene.steps}, {"time_us", static_cast<double>(scene.steps) * setup.time_step}}},
       {"memory_MB", {{"fluid", stored_nodes * bytes_per_node * 1e-6}, {"cells", vertices * bytes_per_vertex * 1e-6}}},

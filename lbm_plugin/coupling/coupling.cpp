@@ -2,6 +2,7 @@
 #include "coupling/coupling.h"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "coupling/implicit_coupling.h"
 #include "coupling/peskin_coupling.h"
@@ -11,6 +12,9 @@ namespace npfem::flow {
 
 std::unique_ptr<Coupling> Coupling::create(const CoupledParts& parts) {
   if (parts.setup.coupling.scheme == CouplingScheme::peskin) return std::make_unique<PeskinCoupling>(parts);
+  if (parts.setup.coupling.scheme == CouplingScheme::lineage) {
+    throw std::invalid_argument("coupling.scheme \"lineage\" is not built yet; take \"implicit\" or \"peskin\"");
+  }
   return std::make_unique<ImplicitCoupling>(parts);
 }
 

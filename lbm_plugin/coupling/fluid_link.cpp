@@ -14,7 +14,7 @@ FluidLink::FluidLink(const Setup& setup, const Units& units, Communicator& commu
       exchange_(communicator, lattice.decomposition(), units.dx),
       boundary_(setup.coupling.kernel_points, lattice.decomposition(), communicator.rank()),
       repulsion_(setup, lattice.decomposition(), lattice.grid().own()),
-      has_walls_(setup.domain.kind != DomainKind::periodic_box) {}
+      has_walls_(setup.domain.has_walls()) {}
 
 void FluidLink::locate(const CellPopulation& cells) {
   const Stopwatch watch(seconds_);

@@ -39,16 +39,30 @@ void require_valid_options(const api::Model& model, const Scene& scene) {
   for (const auto& [key, value] : scene.solver_options) none.set(key, value);
 }
 
+/// `source` names the key to blame where the next call fails.
+api::Model model_of(const CellsRequest& request, const char*& source) {
+  if (!request.body_folder.empty()) {
+    source = "body_folder";
+    return api::Model::load_lineage(request.body_folder, request.body_density, request.volume_weight);
+  }
+  const api::Material material = material_of(request);
+  if (!request.mesh_file.empty()) source = "mesh";
+  const api::Mesh mesh = mesh_of(request, material);
+  source = "material";
+  return {mesh, material};
+}
+
 CellType make_type(const CellsRequest& request, const Scene& scene) {
-  const char* source = "material";  // what to name where the next call fails
+  const char* source = "material";
   try {
-    const api::Material material = material_of(request);
-    if (!request.mesh_file.empty()) source = "mesh";
-    const api::Mesh mesh = mesh_of(request, material);
-    source = "material";
-    const auto model = std::make_shared<const api::Model>(mesh, material);
+    const auto model = std::make_shared<const api::Model>(model_of(request, source));
     require_valid_options(*model, scene);
-    return {request.name, model, relaxed_shape(*model, request), model->triangles(), scene.solver_options};
+    return {request.name,
+            model,
+            relaxed_shape(*model, request),
+            model->triangles(),
+            scene.solver_options,
+            request.interior_viscosity_ratio};
   } catch (const api::Failure& failure) {
     request.table.fail(source, failure.what());
   }

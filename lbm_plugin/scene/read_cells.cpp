@@ -62,6 +62,16 @@ CellsRequest read_cells(const text::Table& table, const Scene& scene, const std:
   for (const CellsRequest& earlier : scene.requests) {
     if (earlier.name == request.name) table.fail("name", "another type is called \"" + request.name + "\" already");
   }
+  request.interior_viscosity_ratio = table.quantity(keys::interior_viscosity_ratio);
+  if (&exactly_one_of(table, {&keys::material, &keys::body_folder}) == &keys::body_folder) {
+    refuse(table, {&keys::mesh, &keys::level}, "\"body_folder\" is given too; it holds a mesh");
+    request.body_folder = path_from(table.text(keys::body_folder), folder);
+    if (table.has(keys::body_density)) request.body_density = table.quantity(keys::body_density);
+    if (table.has(keys::volume_weight)) request.volume_weight = table.quantity(keys::volume_weight);
+    read_number_of_cells(table, scene, request);
+    return request;
+  }
+  refuse(table, {&keys::body_density, &keys::volume_weight}, "needs \"body_folder\" beside it");
   request.material = table.text(keys::material);
   request.material_is_file = request.material.find_first_of("./") != std::string::npos;
   if (request.material_is_file) request.material = path_from(request.material, folder);

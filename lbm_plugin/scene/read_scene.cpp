@@ -30,6 +30,9 @@ void require_known_keys(const Table& root) {
        {"domain", "fluid", "flow", "placement", "coupling", "repulsion", "solver", "run", "output"}) {
     if (root.has(section)) expect(root.table(section), section);
   }
+  for (const Table& solid : root.table("domain").tables("solids")) expect(solid, "domain.solids");
+  for (const Table& opening : root.tables("openings")) expect(opening, "openings");
+  if (root.table("flow").has("waveform")) expect(root.table("flow").table("waveform"), "flow.waveform");
   for (const Table& cells : root.tables("cells")) {
     expect(cells, "cells");
     for (const Table& position : cells.tables("positions")) expect(position, "cells.positions");
@@ -47,7 +50,10 @@ RepulsionSettings read_repulsion(const Table& table, const Key& range, const Key
 }
 
 void read_coupling(const Table& table, Setup& setup) {
-  setup.coupling.scheme = table.choice(keys::scheme) == "implicit" ? CouplingScheme::implicit : CouplingScheme::peskin;
+  const std::string scheme = table.choice(keys::scheme);
+  setup.coupling.scheme = scheme == "implicit" ? CouplingScheme::implicit
+                          : scheme == "peskin" ? CouplingScheme::peskin
+                                               : CouplingScheme::lineage;
   setup.coupling.kernel_points = within(table, keys::kernel, 2, 4);
   setup.coupling.steps_per_solve = within(table, keys::cell_every, 1, 1000);
 }
@@ -98,14 +104,17 @@ OutputSettings read_output(const Table& table, double time_step) {
 Scene read(text::Document document, const std::filesystem::path& folder, const std::vector<std::string>& assignments) {
   for (const std::string& assignment : assignments) document.set(assignment);
   Scene scene(std::move(document));
+  scene.folder = folder;
   const Table root = scene.document.root();
   require_known_keys(root);
   if (root.integer(keys::schema_version) != 1) root.fail("schema_version", "this program reads version 1 only");
   scene.title = root.text(keys::title);
   Setup& setup = scene.setup;
   setup.domain = read_domain(root.table("domain"));
+  read_openings(root, setup.domain);
+  read_walls(root.table("domain"), setup.domain, folder);
   read_fluid(root.table("fluid"), setup);
-  read_flow(root.table("flow"), scene);
+  read_flow(root, scene);
   const Table placement = root.table("placement");
   read_placement(placement, scene, folder);
   for (const Table& cells : root.tables("cells")) scene.requests.push_back(read_cells(cells, scene, folder));
@@ -131,8 +140,19 @@ std::string resolved_text(Scene& scene) {
     const std::string path = "cells[" + std::to_string(i) + "].";
     if (request.material_is_file) scene.document.set(path + "material", quoted(request.material));
     if (!request.mesh_file.empty()) scene.document.set(path + "mesh", quoted(request.mesh_file));
+    if (!request.body_folder.empty()) scene.document.set(path + "body_folder", quoted(request.body_folder));
   }
   if (!scene.cells_file.empty()) scene.document.set("placement.file", quoted(scene.cells_file));
+  const Table domain = scene.document.root().table("domain");
+  if (domain.has(keys::surface)) {
+    scene.document.set("domain.surface", quoted(path_from(domain.text(keys::surface), scene.folder)));
+  }
+  const std::vector<Table> solids = domain.tables("solids");
+  for (std::size_t n = 0; n < solids.size(); ++n) {
+    if (!solids[n].has(keys::surface)) continue;
+    scene.document.set("domain.solids[" + std::to_string(n) + "].surface",
+                       quoted(path_from(solids[n].text(keys::surface), scene.folder)));
+  }
   return scene.document.to_toml();
 }
 

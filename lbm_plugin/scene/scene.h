@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +20,12 @@ struct CellsRequest {
   std::string name;
   std::string material;  ///< preset, or path from the working directory
   bool material_is_file = false;
-  std::string mesh_file;  ///< empty: the shape of the material
-  int level = -1;         ///< -1: that of the material
+  std::string mesh_file;       ///< empty: the shape of the material
+  int level = -1;              ///< -1: that of the material
+  std::string body_folder;     ///< of Palabos-npFEM, instead of material and mesh; empty: none
+  double body_density = 0;     ///< fg/um3, of that body beyond the fluid it holds
+  double volume_weight = 250;  ///< pN/um, of that body
+  double interior_viscosity_ratio = 1;
   std::optional<double> haematocrit;
   std::optional<int> count;
   std::optional<double> ratio;  ///< cells per cell of the type `ratio_to`
@@ -42,6 +47,7 @@ struct Scene {
   explicit Scene(text::Document read) : document(std::move(read)) {}
 
   text::Document document;
+  std::filesystem::path folder;  ///< that its paths start from
   std::string title;
   Setup setup;  ///< all but types and cells
   std::vector<CellsRequest> requests;

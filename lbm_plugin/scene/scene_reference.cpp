@@ -6,18 +6,41 @@ std::vector<SceneSection> scene_sections() {
   using namespace keys;  // the names below are the keys of the file
   return {
       {"", "Top level", "", {schema_version, title}},
-      {"domain", "[domain]", "The space the blood flows in.", {kind, size, diameter, length, dx}},
-      {"fluid", "[fluid]", "", {density, kinematic_viscosity, dynamic_viscosity, time_step, tau, magic_parameter}},
+      {"domain",
+       "[domain]",
+       "The space the blood flows in: a box of lattice nodes, and the walls in it.",
+       {kind, size, diameter, length, dx, surface, surface_unit, surface_shift, periodic}},
+      {"domain.solids",
+       "[[domain.solids]]",
+       "One table per further wall: obstacles and narrow places. The nearest wall counts.",
+       {shape, solid_centre, solid_size, solid_diameter, at, solid_length, width, depth, surface, surface_unit,
+        surface_shift}},
+      {"openings",
+       "[[openings]]",
+       "One table per face of the box that blood flows in or out through, in place of a force that drives it. A "
+       "direction with an opening is not periodic. Where there is an opening of given velocity, one of given pressure "
+       "is needed too.",
+       {face, opening_kind, velocity, profile, pressure}},
+      {"fluid",
+       "[fluid]",
+       "",
+       {density, kinematic_viscosity, dynamic_viscosity, time_step, tau, collision, magic_parameter, fluid_precision}},
       {"flow",
        "[flow]",
-       "What drives it. A shear box needs `shear_rate`; tube and plates take one of the others, or none and stay at "
-       "rest.",
-       {shear_rate, mean_velocity, centre_velocity, pressure_gradient, start}},
+       "What drives it. A shear box needs `shear_rate`; tube and plates take one of the others, a vessel "
+       "`pressure_gradient`, or none and stay at rest, or flow by openings.",
+       {shear_rate, mean_velocity, centre_velocity, pressure_gradient, axis, start}},
+      {"flow.waveform",
+       "[flow.waveform]",
+       "A factor that makes the driving pulsate: the body force, the speed of plates, the velocity at openings, or, "
+       "where none is given, their pressure.",
+       {period, mean, amplitude, phase, times, factors}},
       {"cells",
        "[[cells]]",
        "One table per type of cell. How many there are: exactly one of `haematocrit`, `count`, `ratio` with "
        "`ratio_to`, or a list of positions.",
-       {name, material, level, mesh, haematocrit, count, ratio, ratio_to}},
+       {name, material, level, mesh, body_folder, body_density, volume_weight, interior_viscosity_ratio, haematocrit,
+        count, ratio, ratio_to}},
       {"cells.positions",
        "[[cells.positions]]",
        "One table per cell, in place of a number of cells.",

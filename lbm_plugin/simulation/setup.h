@@ -9,6 +9,7 @@
 
 #include "geometry/domain.h"
 #include "npfem/npfem.hpp"
+#include "simulation/signal.h"
 
 namespace npfem::flow {
 
@@ -19,6 +20,7 @@ struct CellType {
   std::vector<double> shape;  ///< xyz of the relaxed, unloaded cell about the origin, um
   std::vector<std::int32_t> triangles;
   std::vector<std::pair<std::string, double>> options;  ///< numbers set on every batch of this type (npfem_set_f64)
+  double interior_viscosity_ratio = 1;                  ///< viscosity of the fluid inside over that outside
 };
 
 /// Where one cell starts: its shape turned by `rotation` (row-major), then moved to `centre` (um).
@@ -33,7 +35,16 @@ struct CellStart {
 enum class CouplingScheme {
   implicit,  ///< ambient mass in the cell solver's implicit step, incremental form: stable for any stiffness
   peskin,    ///< explicit forces, vertices move with the fluid: the yardstick while it is stable
+  lineage,   ///< stress sampling and direct forcing as in Palabos-npFEM, for comparison
 };
+
+enum class Collision {
+  trt,          ///< two relaxation times: walls stay in place at any relaxation time
+  bgk,          ///< one relaxation time
+  regularised,  ///< one relaxation time, of populations rebuilt from their moments
+};
+
+enum class FluidPrecision { in_double, in_float };
 
 struct CouplingSettings {
   CouplingScheme scheme = CouplingScheme::implicit;
@@ -54,7 +65,10 @@ struct Setup {
   double density = 0;              ///< fg/um3
   double kinematic_viscosity = 0;  ///< um2/us
   Vec3 body_force{};               ///< pN/um3, drives the flow
+  Signal waveform = {};            ///< of the body force, and of the velocities of plates and inlets
   double magic_parameter = 3.0 / 16.0;
+  Collision collision = Collision::trt;
+  FluidPrecision fluid_precision = FluidPrecision::in_double;
   bool start_developed =
       false;  ///< start from the steady flow without cells (Couette, Poiseuille) instead of from rest
   CouplingSettings coupling;

@@ -44,6 +44,7 @@ struct Simulation::State {
         fluid(setup, units, group, lattice) {}
 
   void start();
+  void drive();
   void load_fluid();
   void record(const CellStepReport& report);
   void record_failures(const std::vector<LocalFailure>& local);
@@ -81,6 +82,7 @@ void Simulation::State::start() {
       return FluidState{0, scale(1.0 / units.velocity(), developed_velocity(setup, position))};
     });
   }
+  if (!setup.waveform.is_constant()) drive();
   audit.hold(lattice, {}, 0);
   if (!setup.cells.empty()) {
     coupling = Coupling::create({setup, units, cells, fluid, lattice, audit});
@@ -91,8 +93,19 @@ void Simulation::State::start() {
   for (const CellType& type : setup.types) start_volumes.push_back(enclosed_volume(type.shape, type.triangles));
 }
 
+/// Gives the fluid the driving force of the present moment; where there are cells, with their next forces, for as long
+/// as it holds those.
+void Simulation::State::drive() {
+  const double factor = setup.waveform.at(static_cast<double>(steps) * setup.time_step);
+  lattice.set_body_force(scale(factor / units.force_density(), setup.body_force));
+  if (coupling) return;
+  lattice.clear_force();
+  audit.hold(lattice, {}, 0);
+}
+
 void Simulation::step() {
   State& s = *state_;
+  if (!s.setup.waveform.is_constant() && (!s.coupling || s.solves_now())) s.drive();
   if (s.solves_now()) s.load_fluid();
   {
     const Stopwatch watch(s.counters.fluid_seconds);

@@ -40,18 +40,19 @@ TEST_P(BadScenes, AreRefusedWithThisMessage) {
 
 const BadScene wrong_words[] = {
     {"MisspeltKey", "shear_rate =", "shear_rat =",
-     "scene.toml:14:1: unknown key \"shear_rat\" in [flow]; did you mean \"shear_rate\"? known keys: centre_velocity, "
-     "mean_velocity, pressure_gradient, shear_rate, start"},
+     "scene.toml:14:1: unknown key \"shear_rat\" in [flow]; did you mean \"shear_rate\"? known keys: axis, "
+     "centre_velocity, mean_velocity, pressure_gradient, shear_rate, start, waveform"},
     {"MisspeltKeyOfACell", "level = 2", "lvel = 2",
-     "scene.toml:19:1: unknown key \"lvel\" in [cells[0]]; did you mean \"level\"? known keys: count, haematocrit, "
-     "level, material, mesh, name, positions, ratio, ratio_to"},
+     "scene.toml:19:1: unknown key \"lvel\" in [cells[0]]; did you mean \"level\"? known keys: body_density, "
+     "body_folder, count, haematocrit, interior_viscosity_ratio, level, material, mesh, name, positions, ratio, "
+     "ratio_to, volume_weight"},
     {"MisspeltSection", "[run]", "[rum]\nsteps = 1\n[run]",
      "scene.toml:22:2: unknown key \"rum\" at the top level; did you mean \"run\"? known keys: cells, coupling, "
      "domain, "
-     "flow, fluid, output, placement, repulsion, run, schema_version, solver, title"},
+     "flow, fluid, openings, output, placement, repulsion, run, schema_version, solver, title"},
     {"MisspeltWord", "\"shear_box\"", "\"shearbox\"",
      "scene.toml:5:8: domain.kind: unknown word \"shearbox\"; did you mean \"shear_box\"? allowed: tube, shear_box, "
-     "plates, periodic_box"},
+     "plates, periodic_box, vessel"},
     {"NotToml", "steps = 10", "steps = = 10",
      "scene.toml:23:9: Error while parsing value: could not determine value type"},
     {"Version", "schema_version = 1", "schema_version = 2",
