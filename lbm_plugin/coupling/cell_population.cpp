@@ -32,6 +32,18 @@ constexpr std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
+/// xyz of every vertex of the cell, um.
+std::vector<double> start_positions(const CellStart& start, const CellType& type) {
+  if (!start.positions.empty()) return start.positions;
+  std::vector<double> positions = type.shape;
+  for (std::size_t v = 0; v < positions.size() / 3; ++v) {
+    const Vec3 turned = rotate(start.rotation, {positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]});
+    const Vec3 placed = add(start.centre, turned);
+    std::copy(placed.begin(), placed.end(), positions.begin() + static_cast<std::ptrdiff_t>(3 * v));
+  }
+  return positions;
+}
+
 void require_shape(const CellType& type) {
   const auto numbers = 3 * static_cast<std::size_t>(type.model->vertices());
   if (type.shape.size() == numbers) return;
@@ -69,11 +81,10 @@ void CellPopulation::place(const CellStart& start, int id) {
     throw std::invalid_argument("cell " + std::to_string(id) + " is of type " + std::to_string(start.type) +
                                 "; there are " + std::to_string(kinds_.size()) + " types, counted from 0");
   }
-  std::vector<double> positions = setup_.types[static_cast<std::size_t>(start.type)].shape;
-  for (std::size_t v = 0; v < positions.size() / 3; ++v) {
-    const Vec3 turned = rotate(start.rotation, {positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]});
-    const Vec3 placed = flow::add(start.centre, turned);
-    std::copy(placed.begin(), placed.end(), positions.begin() + static_cast<std::ptrdiff_t>(3 * v));
+  const std::vector<double> positions = start_positions(start, setup_.types[static_cast<std::size_t>(start.type)]);
+  if (positions.size() != 3 * vertices_of(start.type)) {
+    throw std::invalid_argument("cell " + std::to_string(id) + " starts with " + std::to_string(positions.size()) +
+                                " coordinates, its model needs " + std::to_string(3 * vertices_of(start.type)));
   }
   if (owner_of(positions) != communicator_.rank()) return;
   add(start.type, id);

@@ -17,9 +17,15 @@ Domain read_domain(const text::Table& table);
 void read_fluid(const text::Table& table, Setup& setup);
 /// What drives the fluid; needs domain and fluid.
 void read_flow(const text::Table& table, Scene& scene);
-/// One [[cells]] table; `before` are those that stand before it, `folder` is the scene's.
-CellsRequest read_cells(const text::Table& table, const std::vector<CellsRequest>& before,
-                        const std::filesystem::path& folder);
+/// Seed, gap and cells file; `folder` is the scene's.
+void read_placement(const text::Table& table, Scene& scene, const std::filesystem::path& folder);
+/// One [[cells]] table, of which `scene` has those that stand before it; needs the placement.
+CellsRequest read_cells(const text::Table& table, const Scene& scene, const std::filesystem::path& folder);
+/// The cells of the cells file, where there is one, to the types that the scene lists.
+void match_stored_cells(const text::Table& placement, Scene& scene);
+
+/// A path of a scene file, as seen from the working directory.
+std::string path_from(const std::string& path, const std::filesystem::path& folder);
 
 /// The one key of `keys` that is given; nullptr where none is. Two are an error.
 const text::Key* one_of(const text::Table& table, std::initializer_list<const text::Key*> keys);

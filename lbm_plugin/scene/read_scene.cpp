@@ -106,12 +106,10 @@ Scene read(text::Document document, const std::filesystem::path& folder, const s
   setup.domain = read_domain(root.table("domain"));
   read_fluid(root.table("fluid"), setup);
   read_flow(root.table("flow"), scene);
-  for (const Table& cells : root.tables("cells")) {
-    scene.requests.push_back(read_cells(cells, scene.requests, folder));
-  }
   const Table placement = root.table("placement");
-  scene.seed = static_cast<std::uint64_t>(placement.integer(keys::seed));
-  scene.gap = placement.quantity(keys::gap);
+  read_placement(placement, scene, folder);
+  for (const Table& cells : root.tables("cells")) scene.requests.push_back(read_cells(cells, scene, folder));
+  match_stored_cells(placement, scene);
   read_coupling(root.table("coupling"), setup);
   const Table repulsion = root.table("repulsion");
   setup.cell_repulsion = read_repulsion(repulsion, keys::range, keys::strength, setup.domain.dx);
@@ -125,15 +123,16 @@ Scene read(text::Document document, const std::filesystem::path& folder, const s
 }  // namespace
 
 std::string resolved_text(Scene& scene) {
+  const auto quoted = [](const std::string& file) {
+    return std::string("'").append(std::filesystem::absolute(file).lexically_normal().string()).append("'");
+  };
   for (std::size_t i = 0; i < scene.requests.size(); ++i) {
     const CellsRequest& request = scene.requests[i];
     const std::string path = "cells[" + std::to_string(i) + "].";
-    const auto quoted = [](const std::string& file) {
-      return std::string("'").append(std::filesystem::absolute(file).lexically_normal().string()).append("'");
-    };
     if (request.material_is_file) scene.document.set(path + "material", quoted(request.material));
     if (!request.mesh_file.empty()) scene.document.set(path + "mesh", quoted(request.mesh_file));
   }
+  if (!scene.cells_file.empty()) scene.document.set("placement.file", quoted(scene.cells_file));
   return scene.document.to_toml();
 }
 

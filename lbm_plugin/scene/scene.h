@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "placement/cells_file.h"
 #include "simulation/setup.h"
 #include "toml_reader.h"
 
@@ -47,6 +48,8 @@ struct Scene {
   std::vector<std::pair<std::string, double>> solver_options;
   std::uint64_t seed = 1;
   double gap = 0;
+  std::string cells_file;           ///< empty: cells are placed as the requests say
+  std::vector<StoredCells> stored;  ///< with a cells file: its cells, by request
   std::int64_t steps = 0;
   OutputSettings output;
   double largest_velocity = 0;    ///< um/us, of the steady flow without cells

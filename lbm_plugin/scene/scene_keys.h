@@ -168,6 +168,12 @@ inline constexpr Key gap{.name = "gap",
                          .range = Range::non_negative,
                          .fallback = "0.3 um",
                          .doc = "Least distance between the surfaces of cells placed at random, and to the walls."};
+inline constexpr Key file{.name = "file",
+                          .kind = Kind::text,
+                          .fallback = optional,
+                          .doc =
+                              "Path of a cells file, from the scene: every cell starts as it stands there, deformed. "
+                              "The numbers of cells in `[[cells]]` are then not used and may be left out."};
 
 // [coupling]
 inline constexpr Key scheme{

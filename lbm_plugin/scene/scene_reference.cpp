@@ -22,7 +22,7 @@ std::vector<SceneSection> scene_sections() {
        "[[cells.positions]]",
        "One table per cell, in place of a number of cells.",
        {centre, rotate}},
-      {"placement", "[placement]", "Of cells that have no list of positions.", {seed, gap}},
+      {"placement", "[placement]", "Of cells that have no list of positions.", {seed, gap, file}},
       {"coupling", "[coupling]", "Between fluid and cells.", {scheme, kernel, cell_every}},
       {"repulsion",
        "[repulsion]",

@@ -26,6 +26,8 @@ struct CellStart {
   int type;
   Vec3 centre;
   std::array<double, 9> rotation;
+  /// xyz of every vertex, um, unwrapped: a cell that starts deformed. Empty: the shape of its type, turned and moved.
+  std::vector<double> positions = {};
 };
 
 enum class CouplingScheme {
