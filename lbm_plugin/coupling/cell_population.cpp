@@ -191,8 +191,10 @@ void CellPopulation::read(const char* field, std::vector<double>& values) const 
 }
 
 void CellPopulation::write(const char* field, std::span<const double> values) {
+  if (vertices_.empty()) return;
+  const std::size_t components = values.size() / vertices_.size();
   for (const Cell& cell : cells_) {
-    const auto part = values.subspan(3 * cell.first_vertex, 3 * vertices_of(cell.type));
+    const auto part = values.subspan(components * cell.first_vertex, components * vertices_of(cell.type));
     kind(cell.type).batch.write(field, cell.slot, 1, part);
   }
 }

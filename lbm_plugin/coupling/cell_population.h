@@ -57,7 +57,8 @@ class CellPopulation {
   /// The mass of fluid (fg) that moves with each vertex of that type, for all its cells, now and later.
   void set_ambient_mass(int type, std::vector<double> masses);
 
-  /// A field of the cell solver (see npfem_batch_set), three numbers per own vertex.
+  /// A field of the cell solver (see npfem_batch_set): to be read, one of three numbers per own vertex; to be written,
+  /// of as many as are given.
   void read(const char* field, std::vector<double>& values) const;
   void write(const char* field, std::span<const double> values);
 

@@ -36,6 +36,9 @@ CellsRequest read_cells(const text::Table& table, const Scene& scene, const std:
 /// The cells of the cells file, where there is one, to the types that the scene lists.
 void match_stored_cells(const text::Table& placement, Scene& scene);
 
+/// What acts between surfaces that touch; needs domain and cells.
+void read_contact(const text::Table& table, Scene& scene);
+
 /// A path of a scene file, as seen from the working directory.
 std::string path_from(const std::string& path, const std::filesystem::path& folder);
 

@@ -27,7 +27,7 @@ void expect(const Table& table, const std::string& path) {
 void require_known_keys(const Table& root) {
   expect(root, "");
   for (const char* section :
-       {"domain", "fluid", "flow", "placement", "coupling", "repulsion", "solver", "run", "output"}) {
+       {"domain", "fluid", "flow", "placement", "coupling", "contact", "solver", "run", "output"}) {
     if (root.has(section)) expect(root.table(section), section);
   }
   for (const Table& solid : root.table("domain").tables("solids")) expect(solid, "domain.solids");
@@ -37,16 +37,10 @@ void require_known_keys(const Table& root) {
     expect(cells, "cells");
     for (const Table& position : cells.tables("positions")) expect(position, "cells.positions");
   }
-  root.finish();
-}
-
-RepulsionSettings read_repulsion(const Table& table, const Key& range, const Key& strength, double dx) {
-  const RepulsionSettings repulsion{table.has(range) ? table.quantity(range) : dx, table.quantity(strength)};
-  if (repulsion.range > 2 * dx) {
-    table.fail(range.name, format_quantity(repulsion.range, "um") + " is more than two node spacings (" +
-                               format_quantity(2 * dx, "um") + "), the largest range supported");
+  if (root.has("contact")) {
+    for (const Table& pair : root.table("contact").tables("pairs")) expect(pair, "contact.pairs");
   }
-  return repulsion;
+  root.finish();
 }
 
 void read_coupling(const Table& table, Setup& setup) {
@@ -120,9 +114,7 @@ Scene read(text::Document document, const std::filesystem::path& folder, const s
   for (const Table& cells : root.tables("cells")) scene.requests.push_back(read_cells(cells, scene, folder));
   match_stored_cells(placement, scene);
   read_coupling(root.table("coupling"), setup);
-  const Table repulsion = root.table("repulsion");
-  setup.cell_repulsion = read_repulsion(repulsion, keys::range, keys::strength, setup.domain.dx);
-  setup.wall_repulsion = read_repulsion(repulsion, keys::wall_range, keys::wall_strength, setup.domain.dx);
+  read_contact(root.table("contact"), scene);
   scene.solver_options = read_solver(root.table("solver"));
   scene.steps = read_steps(root.table("run"), setup.time_step);
   scene.output = read_output(root.table("output"), setup.time_step);

@@ -351,29 +351,65 @@ inline constexpr Key cell_every{.name = "cell_every",
                                 .fallback = "1",
                                 .doc = "Fluid steps per step of the cell solver."};
 
-// [repulsion]
+// [contact]
 inline constexpr Key range{
     .name = "range",
     .dimension = Dimension::length(),
     .range = Range::non_negative,
     .fallback = optional,
-    .doc = "Distance of two vertices of different cells below which they repel; 0: never. Default: `dx`."};
+    .doc = "Distance between the surfaces of two cells below which they repel; 0: never. Default: `dx`."};
 inline constexpr Key strength{.name = "strength",
-                              .dimension = Dimension::force(),
+                              .dimension = Dimension::stress(),
                               .range = Range::non_negative,
-                              .fallback = "2 pN",
-                              .doc = "Force between two vertices at contact, falling as (1 - distance/range)^2."};
+                              .fallback = "20 Pa",
+                              .doc = "Pressure between two surfaces at touch, falling as (1 - distance/range)^2."};
 inline constexpr Key wall_range{
     .name = "wall_range",
     .dimension = Dimension::length(),
     .range = Range::non_negative,
     .fallback = optional,
-    .doc = "Distance of a vertex from a wall below which the wall repels it; 0: never. Default: `dx`."};
+    .doc = "Distance between a cell and a wall below which the wall repels it; 0: never. Default: `dx`."};
 inline constexpr Key wall_strength{.name = "wall_strength",
-                                   .dimension = Dimension::force(),
+                                   .dimension = Dimension::stress(),
                                    .range = Range::non_negative,
-                                   .fallback = "2 pN",
-                                   .doc = "Force between a vertex and a wall at contact."};
+                                   .fallback = "20 Pa",
+                                   .doc = "Pressure between a cell and a wall at touch."};
+inline constexpr Key attraction{
+    .name = "attraction",
+    .dimension = Dimension::surface_modulus(),
+    .range = Range::non_negative,
+    .fallback = "0 uN/m",
+    .doc = "Work per area (1 uN/m = 1 uJ/m2) of parting two cells, by a Morse attraction beyond `range`: aggregation."};
+inline constexpr Key attraction_width{.name = "attraction_width",
+                                      .dimension = Dimension::length(),
+                                      .range = Range::positive,
+                                      .fallback = "0.1 um",
+                                      .doc = "Width of that attraction, which ends four widths beyond `range`."};
+
+// [[contact.pairs]]
+inline constexpr Key first{.name = "first", .kind = Kind::text, .doc = "Name of a type of cells."};
+inline constexpr Key second{
+    .name = "second", .kind = Kind::text, .doc = "Name of a type of cells, the same or another, or `wall`."};
+inline constexpr Key pair_range{.name = "range",
+                                .dimension = Dimension::length(),
+                                .range = Range::non_negative,
+                                .fallback = optional,
+                                .doc = "Between these, in place of that of `[contact]`; so are the others."};
+inline constexpr Key pair_strength{.name = "strength",
+                                   .dimension = Dimension::stress(),
+                                   .range = Range::non_negative,
+                                   .fallback = optional,
+                                   .doc = "Pressure at touch."};
+inline constexpr Key pair_attraction{.name = "attraction",
+                                     .dimension = Dimension::surface_modulus(),
+                                     .range = Range::non_negative,
+                                     .fallback = optional,
+                                     .doc = "Work per area of parting them: aggregation, or adhesion to a wall."};
+inline constexpr Key pair_attraction_width{.name = "attraction_width",
+                                           .dimension = Dimension::length(),
+                                           .range = Range::positive,
+                                           .fallback = optional,
+                                           .doc = "Width of that attraction."};
 
 // [solver]
 inline constexpr Key tolerance{.name = "tolerance",

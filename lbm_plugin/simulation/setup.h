@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/contact_law.h"
 #include "geometry/domain.h"
 #include "npfem/npfem.hpp"
 #include "simulation/signal.h"
@@ -52,10 +53,19 @@ struct CouplingSettings {
   int steps_per_solve = 1;  ///< fluid steps per step of the cell solver (k)
 };
 
-/// Smooth repulsion that keeps surfaces apart: force strength * (1 - d/range)^2 at distance d < range.
-struct RepulsionSettings {
-  double range = 0;     ///< um; 0 switches it off; at most two node spacings
-  double strength = 0;  ///< pN per vertex pair at contact
+/// What acts between two types of cell, or between a type and the walls, in place of the default.
+struct PairContact {
+  static constexpr int wall = -1;
+  int first;   ///< index into Setup::types
+  int second;  ///< the same, or `wall`
+  ContactLaw law;
+};
+
+/// Forces between surfaces nearer to each other than the lattice resolves; see contact/contacts.h.
+struct ContactSettings {
+  ContactLaw cells;                ///< between two cells
+  ContactLaw walls;                ///< between a cell and a wall
+  std::vector<PairContact> pairs;  ///< exceptions
 };
 
 /// Everything a coupled run needs, in um, us, fg: what a scene file is turned into.
@@ -72,8 +82,7 @@ struct Setup {
   bool start_developed =
       false;  ///< start from the steady flow without cells (Couette, Poiseuille) instead of from rest
   CouplingSettings coupling;
-  RepulsionSettings cell_repulsion;
-  RepulsionSettings wall_repulsion;
+  ContactSettings contact;
   std::vector<CellType> types;
   std::vector<CellStart> cells;  ///< the index is the cell's global id
 };

@@ -79,7 +79,7 @@ class Simulation {
   Counters counters() const;         ///< collective
   double volume_error() const;       ///< max over all cells of |V / V_start - 1|; collective
   double momentum_error() const;     ///< see coupling/momentum_audit.h; collective
-  double minimum_gap() const;        ///< um, vertex to triangle between cells, infinity below two cells; collective
+  double minimum_gap() const;        ///< um, see contact/minimum_gap.h: signed; collective
   double minimum_wall_gap() const;   ///< um, vertex to wall, infinity without walls; collective
   std::uint64_t state_hash() const;  ///< of fluid and cells, the same for any number of ranks; collective
 
