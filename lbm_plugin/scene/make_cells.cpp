@@ -18,9 +18,14 @@ api::Mesh mesh_of(const CellsRequest& request, const api::Material& material) {
   return request.mesh_file.empty() ? material.mesh(request.level) : api::Mesh::load(request.mesh_file);
 }
 
+std::string text_of(const api::Material& material) {
+  return api::text_of(
+      [&](char* b, std::int32_t n) { return api::check(npfem_material_to_text(material.handle(), b, n)); });
+}
+
 /// The unloaded cell about the origin: at rest under its own forces, whatever shape its mesh had.
-std::vector<double> relaxed_shape(const api::Model& model, const CellsRequest& request) {
-  api::Batch cell(model, "cpu", 1);
+std::vector<double> relaxed_shape(const api::Model& model, const CellsRequest& request, const std::string& backend) {
+  api::Batch cell(model, backend, 1);
   if (cell.relax() > 0) {
     request.table.fail("material",
                        "a cell \"" + request.name + "\" left alone does not come to rest: " + cell.status_text(0));
@@ -33,7 +38,7 @@ std::vector<double> relaxed_shape(const api::Model& model, const CellsRequest& r
 }
 
 void require_valid_options(const api::Model& model, const Scene& scene) {
-  api::Batch none(model, "cpu", 0);
+  api::Batch none(model, scene.setup.backend, 0);
   for (const auto& [key, value] : scene.solver_options) none.set(key, value);
 }
 
@@ -46,7 +51,12 @@ CellType make_type(const CellsRequest& request, const Scene& scene) {
     source = "material";
     const auto model = std::make_shared<const api::Model>(mesh, material);
     require_valid_options(*model, scene);
-    return {request.name, model, relaxed_shape(*model, request), model->triangles(), scene.solver_options};
+    return {request.name,
+            model,
+            relaxed_shape(*model, request, scene.setup.backend),
+            model->triangles(),
+            scene.solver_options,
+            text_of(material)};
   } catch (const api::Failure& failure) {
     request.table.fail(source, failure.what());
   }

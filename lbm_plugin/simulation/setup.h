@@ -19,6 +19,7 @@ struct CellType {
   std::vector<double> shape;  ///< xyz of the relaxed, unloaded cell about the origin, um
   std::vector<std::int32_t> triangles;
   std::vector<std::pair<std::string, double>> options;  ///< numbers set on every batch of this type (npfem_set_f64)
+  std::string material;  ///< as text, for the record: what a checkpoint knows the type by, besides its model
 };
 
 /// Where one cell starts: its shape turned by `rotation` (row-major), then moved to `centre` (um).
@@ -58,6 +59,7 @@ struct Setup {
   CouplingSettings coupling;
   RepulsionSettings cell_repulsion;
   RepulsionSettings wall_repulsion;
+  std::string backend = "cpu";  ///< of the cell solver; "cpu": the best instruction set that all ranks have
   std::vector<CellType> types;
   std::vector<CellStart> cells;  ///< the index is the cell's global id
 };
