@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "communicator/communicator.h"
 #include "output/cell_table.h"
@@ -20,7 +21,10 @@ void prepare_output_folder(const std::filesystem::path& folder, bool overwrite);
 /// throw std::runtime_error on every rank where a file cannot be written.
 class RunOutput {
  public:
-  RunOutput(Communicator& communicator, std::filesystem::path folder, const Scene& scene);
+  /// With `resumed_at` the files of a run that has come to that step are continued; what it wrote later is dropped
+  /// from tables and collections, and its files are replaced as the run gets there again.
+  RunOutput(Communicator& communicator, std::filesystem::path folder, const Scene& scene,
+            std::optional<std::int64_t> resumed_at = {});
 
   /// Writes what is due after this step.
   void write_due(const Simulation& simulation);

@@ -67,6 +67,7 @@ std::string to_json(const Summary& s) {
       {"title", s.title},
       {"version", s.version},
       {"interrupted", s.interrupted},
+      {"resumed_from", s.resumed_from ? nlohmann::ordered_json(*s.resumed_from) : nlohmann::ordered_json()},
       {"fluid_failed", s.fluid_failed},
       {"steps", s.steps},
       {"time_us", s.time_us},

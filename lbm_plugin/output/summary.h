@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@ struct Summary {
   std::string version;
   std::int64_t steps = 0;
   double time_us = 0;
-  double wall_s = 0;  ///< of the time loop, output included
-  double mlups = 0;   ///< million updates of fluid nodes per second of wall time
+  double wall_s = 0;  ///< of the time loop, output included; of all jobs of a run that was resumed
+  std::optional<std::int64_t> resumed_from;  ///< step from which the last job went on
+  double mlups = 0;                          ///< million updates of fluid nodes per second of wall time
   double cell_steps_per_s = 0;
   int ranks = 1;
   std::int64_t fluid_nodes = 0;
