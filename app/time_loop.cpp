@@ -10,6 +10,7 @@
 #include "checkpoint/run_checkpoints.h"
 #include "file.h"
 #include "interrupt.h"
+#include "output/rheology.h"
 #include "output/run_output.h"
 #include "output/summary.h"
 #include "progress.h"
@@ -215,6 +216,7 @@ int carry_out(Session& session, const LoopOptions& options, Run run) {
   flow::Summary summary = flow::summarise(run.scene, run.simulation, session.communicator, loop.wall_s());
   summary.interrupted = end == End::saved || end == End::interrupted;
   summary.resumed_from = run.resumed_from;
+  if (session.first()) summary.rheology = flow::rheology_means(run.folder + "/rheology.csv");
   const std::string json = to_json(summary);
   write_summary(session, run.folder + "/summary.json", json);
   if (session.first()) {

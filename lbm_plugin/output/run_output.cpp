@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "output/run_output.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <system_error>
@@ -96,13 +97,14 @@ RunOutput::RunOutput(Communicator& communicator, std::filesystem::path folder, c
       table_{true, scene.output.table_every},
       cells_collection_(folder_ / "cells.pvd"),
       fluid_collection_(folder_ / "fluid.pvd"),
-      cell_table_(communicator, folder_ / "cells.csv", scene.setup, resumed_at) {
+      cell_table_(communicator, folder_ / "cells.csv", scene.setup, resumed_at),
+      rheology_table_(communicator, folder_ / "rheology.csv", scene.setup, resumed_at) {
   if (!resumed_at) return;
   // A checkpoint is written after all output of its step: what there is of that step is whole.
   const bool first = communicator_.rank() == 0;
   if (communicator_.any(first && cells_collection_.resume(*resumed_at))) cells_.last = *resumed_at;
   if (communicator_.any(first && fluid_collection_.resume(*resumed_at))) fluid_.last = *resumed_at;
-  if (cell_table_.last_step() == *resumed_at) table_.last = *resumed_at;
+  if (std::max(cell_table_.last_step(), rheology_table_.last_step()) == *resumed_at) table_.last = *resumed_at;
 }
 
 void RunOutput::write_due(const Simulation& simulation) {
@@ -129,6 +131,8 @@ void RunOutput::write(const Simulation& simulation, bool cells, bool fluid, bool
     }
     if (table) {
       cell_table_.append(step, time, local);
+      // there are no wall forces before the first step
+      if (step > 0) rheology_table_.append(simulation, local);
       table_.last = step;
     }
   }

@@ -8,6 +8,7 @@
 #include "communicator/communicator.h"
 #include "output/cell_table.h"
 #include "output/collection.h"
+#include "output/rheology.h"
 #include "scene/scene.h"
 #include "simulation/simulation.h"
 
@@ -17,8 +18,8 @@ namespace npfem::flow {
 /// then the files that an earlier run wrote are removed, and nothing else. text::FileError where it cannot be used.
 void prepare_output_folder(const std::filesystem::path& folder, bool overwrite);
 
-/// The files of a run: cells_*.vtu with cells.pvd, fluid_*.vti with fluid.pvd, cells.csv. Calls are collective and
-/// throw std::runtime_error on every rank where a file cannot be written.
+/// The files of a run: cells_*.vtu with cells.pvd, fluid_*.vti with fluid.pvd, cells.csv, rheology.csv. Calls are
+/// collective and throw std::runtime_error on every rank where a file cannot be written.
 class RunOutput {
  public:
   /// With `resumed_at` the files of a run that has come to that step are continued; what it wrote later is dropped
@@ -48,6 +49,7 @@ class RunOutput {
   Schedule cells_, fluid_, table_;
   Collection cells_collection_, fluid_collection_;
   CellTable cell_table_;
+  RheologyTable rheology_table_;
 };
 
 }  // namespace npfem::flow

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "communicator/communicator.h"
@@ -34,6 +35,7 @@ struct Summary {
   double minimum_gap_um = 0;
   double worst_residual_pN = 0;
   double iterations_per_cell_step = 0;
+  std::vector<std::pair<std::string, double>> rheology;  ///< on rank 0, see rheology_means()
   Counters counters;
   std::vector<CellFailure> failures;
   std::uint64_t state_hash = 0;
