@@ -165,7 +165,7 @@ void warn_when_busy(double load) {
 
 int run_suite(const BenchOptions& options) {
   check(options);
-  catch_interrupts();
+  catch_signals();
   bench::Plan plan = plan_of(options);
   plan.peak = bench::measure_fma_peak();
   Json report = describe_run(options, plan.peak);

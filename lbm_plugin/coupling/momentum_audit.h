@@ -34,6 +34,12 @@ class MomentumAudit {
   /// After every step of the fluid.
   void count_step(const Lattice& lattice);
 
+  /// All that the audit knows, added up over the ranks, for one that goes on elsewhere. Collective.
+  using Record = std::array<double, 16>;
+  Record record(Communicator& communicator) const;
+  /// Goes on from a record: given to one rank, zeros to the others.
+  void restore(const Record& record);
+
   /// Collective.
   double error(const Lattice& lattice, Communicator& communicator) const;
 

@@ -134,6 +134,10 @@ bool Domain::has_walls() const {
   return !solids.empty() || !(flags[0] && flags[1] && flags[2]);
 }
 
+bool Domain::is_plain_channel() const {
+  return solids.empty() && openings.empty() && (between_plates(kind) || kind == DomainKind::tube);
+}
+
 std::array<int, 6> Domain::opening_of_face() const {
   std::array<int, 6> number{-1, -1, -1, -1, -1, -1};
   for (std::size_t n = 0; n < openings.size(); ++n) {

@@ -49,6 +49,8 @@ struct Domain {
   /// Axis of the flow: z in a tube, else `plate_axis`.
   std::size_t flow_axis() const { return kind == DomainKind::tube ? 2 : static_cast<std::size_t>(plate_axis); }
   bool has_walls() const;
+  /// Plates or a tube and nothing else: a channel of the same section everywhere, whose flow is known.
+  bool is_plain_channel() const;
   /// Numbers into `openings`, by Face; -1: none.
   std::array<int, 6> opening_of_face() const;
 

@@ -20,9 +20,14 @@ api::Mesh mesh_of(const CellsRequest& request, const api::Material& material) {
   return request.mesh_file.empty() ? material.mesh(request.level) : api::Mesh::load(request.mesh_file);
 }
 
+std::string text_of(const api::Material& material) {
+  return api::text_of(
+      [&](char* b, std::int32_t n) { return api::check(npfem_material_to_text(material.handle(), b, n)); });
+}
+
 /// The unloaded cell about the origin: at rest under its own forces, whatever shape its mesh had.
-std::vector<double> relaxed_shape(const api::Model& model, const CellsRequest& request) {
-  api::Batch cell(model, "cpu", 1);
+std::vector<double> relaxed_shape(const api::Model& model, const CellsRequest& request, const std::string& backend) {
+  api::Batch cell(model, backend, 1);
   if (cell.relax() > 0) {
     request.table.fail("material",
                        "a cell \"" + request.name + "\" left alone does not come to rest: " + cell.status_text(0));
@@ -35,17 +40,20 @@ std::vector<double> relaxed_shape(const api::Model& model, const CellsRequest& r
 }
 
 void require_valid_options(const api::Model& model, const Scene& scene) {
-  api::Batch none(model, "cpu", 0);
+  api::Batch none(model, scene.setup.backend, 0);
   for (const auto& [key, value] : scene.solver_options) none.set(key, value);
 }
 
-/// `source` names the key to blame where the next call fails.
-api::Model model_of(const CellsRequest& request, const char*& source) {
+/// `source` names the key to blame where the next call fails; `record` is what the type is made of, as text.
+api::Model model_of(const CellsRequest& request, const char*& source, std::string& record) {
   if (!request.body_folder.empty()) {
     source = "body_folder";
+    record = "body folder, density " + text::format_quantity(request.body_density, "kg/m3") + ", volume weight " +
+             text::format_quantity(request.volume_weight, "uN/m");
     return api::Model::load_lineage(request.body_folder, request.body_density, request.volume_weight);
   }
   const api::Material material = material_of(request);
+  record = text_of(material);
   if (!request.mesh_file.empty()) source = "mesh";
   const api::Mesh mesh = mesh_of(request, material);
   source = "material";
@@ -54,14 +62,16 @@ api::Model model_of(const CellsRequest& request, const char*& source) {
 
 CellType make_type(const CellsRequest& request, const Scene& scene) {
   const char* source = "material";
+  std::string record;
   try {
-    const auto model = std::make_shared<const api::Model>(model_of(request, source));
+    const auto model = std::make_shared<const api::Model>(model_of(request, source, record));
     require_valid_options(*model, scene);
     return {request.name,
             model,
-            relaxed_shape(*model, request),
+            relaxed_shape(*model, request, scene.setup.backend),
             model->triangles(),
             scene.solver_options,
+            record,
             request.interior_viscosity_ratio};
   } catch (const api::Failure& failure) {
     request.table.fail(source, failure.what());

@@ -92,6 +92,8 @@ OutputSettings read_output(const Table& table, double time_step) {
   output.fluid_every = whole_steps(table, keys::fluid_every, time_step);
   output.table_every = whole_steps(table, keys::table_every, time_step);
   output.into_box = table.boolean(keys::into_box);
+  output.checkpoint_every = table.integer(keys::checkpoint_every);
+  output.checkpoint_keep = within(table, keys::checkpoint_keep, 1, 1000000);
   return output;
 }
 

@@ -482,6 +482,19 @@ inline constexpr Key into_box{.name = "into_box",
                                   "Cell files show each cell whole, moved by whole periods so that its middle lies in "
                                   "the box. `false`: where it has travelled to."};
 
+inline constexpr Key checkpoint_every{
+    .name = "checkpoint_every",
+    .kind = Kind::integer,
+    .range = Range::non_negative,
+    .fallback = "0",
+    .doc = "Fluid steps between checkpoints, from which `npfem resume` goes on; 0: only when the run is stopped."};
+inline constexpr Key checkpoint_keep{.name = "checkpoint_keep",
+                                     .kind = Kind::integer,
+                                     .range = Range::positive,
+                                     .fallback = "2",
+                                     .doc = "Checkpoints that are kept, the newest ones. There must be room for one "
+                                            "more: an old one goes when the new one is complete."};
+
 }  // namespace npfem::flow::keys
 
 namespace npfem::flow {

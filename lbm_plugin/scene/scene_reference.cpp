@@ -60,7 +60,10 @@ std::vector<SceneSection> scene_sections() {
        "Of the cells.",
        {tolerance, residual_bound, max_iterations, newton_iterations, precision}},
       {"run", "[run]", "", {steps, time}},
-      {"output", "[output]", "", {cells, cells_every, fluid, fluid_every, table_every, into_box}},
+      {"output",
+       "[output]",
+       "",
+       {cells, cells_every, fluid, fluid_every, table_every, into_box, checkpoint_every, checkpoint_keep}},
   };
 }
 

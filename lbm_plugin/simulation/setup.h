@@ -21,7 +21,8 @@ struct CellType {
   std::vector<double> shape;  ///< xyz of the relaxed, unloaded cell about the origin, um
   std::vector<std::int32_t> triangles;
   std::vector<std::pair<std::string, double>> options;  ///< numbers set on every batch of this type (npfem_set_f64)
-  double interior_viscosity_ratio = 1;                  ///< viscosity of the fluid inside over that outside
+  std::string material;  ///< as text, for the record: what a checkpoint knows the type by, besides its model
+  double interior_viscosity_ratio = 1;  ///< viscosity of the fluid inside over that outside
 };
 
 /// Where one cell starts: its shape turned by `rotation` (row-major), then moved to `centre` (um).
@@ -83,6 +84,7 @@ struct Setup {
       false;  ///< start from the steady flow without cells (Couette, Poiseuille) instead of from rest
   CouplingSettings coupling;
   ContactSettings contact;
+  std::string backend = "cpu";  ///< of the cell solver; "cpu": the best instruction set that all ranks have
   std::vector<CellType> types;
   std::vector<CellStart> cells;  ///< the index is the cell's global id
 };

@@ -14,6 +14,10 @@
 
 namespace npfem::flow {
 
+class CheckpointFile;
+class CheckpointWriter;
+struct CheckpointHeader;
+
 /// A cell whose step failed. It stays where it was, with the state it had before that step.
 struct CellFailure {
   int id;             ///< global id of the cell
@@ -55,11 +59,19 @@ class Simulation {
   /// and cells hold the forces of the first positions, so that cells that start under tension start without a jump.
   /// Collective. Throws std::exception, saying what is wrong, where the setup cannot run.
   Simulation(const Setup& setup, Communicator& communicator);
+
+  /// Goes on from the state in a verified checkpoint of a run with this setup, with the same bits as if it had never
+  /// stopped. Collective. Throws std::exception where the checkpoint does not fit the setup.
+  Simulation(const Setup& setup, Communicator& communicator, CheckpointFile& file, const CheckpointHeader& header);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
 
   /// Advances fluid and cells by one fluid step; the cells are solved at every steps_per_solve-th. Collective.
   void step();
+
+  /// Writes the whole state into the sections of a checkpoint and fills in what its header says about the run so far.
+  /// Collective; std::runtime_error on every rank where it cannot be written.
+  void save(CheckpointWriter& file, CheckpointHeader& header) const;
 
   /// Every cell that has failed so far, in order of step and id; the same list on every rank.
   const std::vector<CellFailure>& failures() const;

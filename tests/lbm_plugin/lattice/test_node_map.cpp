@@ -40,7 +40,7 @@ TEST(NodeMap, PlatesHaveFiveLinksPerWallNode) {
 
 TEST(NodeMap, AnObstacleSplitsRows) {
   const Geometry geometry{[](int ix, int iy, int iz) { return ix == 2 && iy == 1 && iz == 1 ? wall(0) : kFluid; },
-                          {Vec3{}}};
+                          {npfem::flow::Boundary{}}};
   const Mapped mapped({6, 3, 3}, {true, true, true}, geometry);
   EXPECT_EQ(mapped.map.fluid_nodes(), 53);
   ASSERT_EQ(mapped.map.runs(1).size(), 4U);
@@ -64,8 +64,9 @@ std::string refusal(const std::array<bool, 3>& periodic, const Geometry& geometr
 TEST(NodeMap, RefusesAnOpenOrUnknownWall) {
   EXPECT_EQ(refusal({true, true, false}, flows::periodic()),
             "node (2, 2, -1) is fluid but lies beyond a face that is not periodic; there it must be a wall");
-  const Geometry geometry{[](int ix, int iy, int iz) { return ix + iy + iz == 0 ? wall(3) : kFluid; }, {Vec3{}}};
-  EXPECT_EQ(refusal({true, true, true}, geometry), "node (0, 0, 0) belongs to wall 3, but there are 1 walls");
+  const Geometry geometry{[](int ix, int iy, int iz) { return ix + iy + iz == 0 ? wall(3) : kFluid; },
+                          {npfem::flow::Boundary{}}};
+  EXPECT_EQ(refusal({true, true, true}, geometry), "node (0, 0, 0) belongs to boundary 3, but there are 1 boundaries");
 }
 
 }  // namespace
