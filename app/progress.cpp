@@ -31,7 +31,7 @@ void Progress::finish(std::int64_t steps_done) {
 
 void Progress::print(std::int64_t steps_done) {
   const auto steps = static_cast<double>(steps_done);
-  const double rate = steps / std::fmax(seconds(), 1e-9);
+  const double rate = (steps - static_cast<double>(work_.first_step)) / std::fmax(seconds(), 1e-9);
   const double left = rate > 0 ? (static_cast<double>(work_.steps) - steps) / rate : 0;
   const auto whole_seconds = static_cast<long long>(std::ceil(left));
   const double percent = work_.steps > 0 ? 100 * steps / static_cast<double>(work_.steps) : 100;

@@ -11,9 +11,10 @@ namespace npfem::app {
 class Progress {
  public:
   struct Work {
-    std::int64_t steps;          ///< of the whole run
-    double nodes_per_step;       ///< fluid nodes
-    double cell_steps_per_step;  ///< cells, over the fluid steps per step of the cell solver
+    std::int64_t steps;           ///< of the whole run
+    double nodes_per_step;        ///< fluid nodes
+    double cell_steps_per_step;   ///< cells, over the fluid steps per step of the cell solver
+    std::int64_t first_step = 0;  ///< from which the run is resumed
   };
   Progress(bool shown, const Work& work);
 

@@ -21,6 +21,7 @@ enum ExitCode : int {
   failed = 1,     ///< something went wrong that is not the input, or the run was interrupted
   bad_input = 2,  ///< nothing was done
   unstable = 3,   ///< a cell could not be solved; the last state is saved
+  saved = 75,     ///< stopped by a signal or the wall time with a checkpoint: npfem resume goes on
 };
 
 struct Session {
@@ -31,6 +32,7 @@ struct Session {
 /// Adds a verb to the command line; what it returns is called when the verb was given.
 using Action = std::function<int(Session&)>;
 Action add_run(CLI::App& program);
+Action add_resume(CLI::App& program);
 Action add_plan(CLI::App& program);
 Action add_validate(CLI::App& program);
 Action add_mesh(CLI::App& program);

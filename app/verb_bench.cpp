@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MPL-2.0
-// npfem bench: how fast the cell solver is, and how wrong.
+// npfem bench: how fast cell solver, fluid and coupled runs are, and how wrong.
 #include <unistd.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ struct BenchOptions {
   std::vector<std::string> precisions;
 };
 
-const std::vector<std::string> suites{"cells", "work-precision", "convergence"};
+const std::vector<std::string> suites{"cells", "work-precision", "convergence", "fluid", "ibm", "coupled"};
 
 void require_known(const std::string& option, const std::string& word, const std::vector<std::string>& words) {
   if (std::find(words.begin(), words.end(), word) == words.end())
@@ -74,8 +74,10 @@ void check(const BenchOptions& options) {
   require_range("--threads", options.threads, 4096);
   if (!options.plot.empty() && options.suite != "work-precision")
     throw text::InputError("--plot is for --suite work-precision");
-  if (options.suite != "cells" && !(options.meshes.empty() && options.batches.empty() && options.threads.empty()))
-    throw text::InputError("--mesh, --batch and --threads are for --suite cells");
+  if (options.suite != "cells" && !(options.meshes.empty() && options.batches.empty()))
+    throw text::InputError("--mesh and --batch are for --suite cells");
+  if ((options.suite == "convergence" || options.suite == "work-precision") && !options.threads.empty())
+    throw text::InputError("--threads is for the suites cells, fluid, ibm and coupled");
   require_writable(options.json);
   require_writable(options.plot);
 }
@@ -163,9 +165,8 @@ void warn_when_busy(double load) {
   bench::say(line);
 }
 
-int run_suite(const BenchOptions& options) {
-  check(options);
-  catch_interrupts();
+int run_suite(const BenchOptions& options, Session& session) {
+  catch_signals();
   bench::Plan plan = plan_of(options);
   plan.peak = bench::measure_fma_peak();
   Json report = describe_run(options, plan.peak);
@@ -176,6 +177,9 @@ int run_suite(const BenchOptions& options) {
   warn_when_busy(load_before);
   if (options.suite == "cells") report["results"] = bench::measure_cells(plan);
   if (options.suite == "convergence") report["results"] = bench::measure_convergence(plan);
+  if (options.suite == "fluid") report["results"] = bench::measure_fluid(plan);
+  if (options.suite == "ibm") report["results"] = bench::measure_ibm(plan);
+  if (options.suite == "coupled") report["results"] = bench::measure_coupled(plan, session.communicator);
   if (options.suite == "work-precision") {
     report["results"] = bench::measure_work_precision(plan);
     report["recommended"] = bench::recommended(report["results"]);
@@ -187,12 +191,19 @@ int run_suite(const BenchOptions& options) {
   return done;
 }
 
+/// What the other ranks do: a suite of several ranks needs them.
+int run_beside(const BenchOptions& options, Session& session) {
+  if (options.suite == "coupled") bench::measure_coupled(plan_of(options), session.communicator);
+  return done;
+}
+
 }  // namespace
 
 Action add_bench(CLI::App& program) {
   const auto options = std::make_shared<BenchOptions>();
-  CLI::App* command = program.add_subcommand("bench", "measure speed and error of the cell solver");
-  command->add_option("--suite", options->suite, "cells, convergence or work-precision")->required();
+  CLI::App* command = program.add_subcommand("bench", "measure speed and error of cell solver, fluid and coupled runs");
+  command->add_option("--suite", options->suite, "cells, convergence, work-precision, fluid, ibm or coupled")
+      ->required();
   command->add_option("--json", options->json, "file for the results");
   command->add_option("--plot", options->plot, "file for the diagram of work-precision (SVG)");
   command->add_flag("--quick", options->quick, "a few rows only, in seconds");
@@ -201,9 +212,10 @@ Action add_bench(CLI::App& program) {
   command->add_option("--threads", options->threads, "threads: 1,2")->delimiter(',');
   command->add_option("--precision", options->precisions, "double,mixed,float")->delimiter(',');
   return [options](Session& session) {
-    if (!session.first()) return static_cast<int>(done);
+    check(*options);
     try {
-      return run_suite(*options);
+      if (!session.first()) return run_beside(*options, session);
+      return run_suite(*options, session);
     } catch (const bench::Interrupted&) {
       std::cerr << "npfem: interrupted; nothing was written\n";
       return static_cast<int>(failed);

@@ -45,6 +45,8 @@ const char* name_of(flow::DomainKind kind) {
       return "shear_box";
     case flow::DomainKind::plates:
       return "plates";
+    case flow::DomainKind::vessel:
+      return "vessel";
     case flow::DomainKind::periodic_box:
       break;
   }
@@ -115,10 +117,9 @@ Json describe(const flow::Scene& scene) {
         {"scheme", setup.coupling.scheme == flow::CouplingScheme::implicit ? "implicit" : "peskin"},
         {"kernel_points", setup.coupling.kernel_points},
         {"fluid_steps_per_cell_step", setup.coupling.steps_per_solve}}},
-      {"repulsion",
-       {{"between_cells", several && setup.cell_repulsion.range > 0},
-        {"from_walls",
-         vertices > 0 && setup.domain.kind != flow::DomainKind::periodic_box && setup.wall_repulsion.range > 0}}},
+      {"contact",
+       {{"between_cells", several && setup.contact.cells.active()},
+        {"with_walls", vertices > 0 && setup.domain.has_walls() && setup.contact.walls.active()}}},
       {"cells", describe_cells(scene, counts)},
       {"run", {{"steps", scene.steps}, {"time_us", static_cast<double>(scene.steps) * setup.time_step}}},
       {"memory_MB", {{"fluid", stored_nodes * bytes_per_node * 1e-6}, {"cells", vertices * bytes_per_vertex * 1e-6}}},
@@ -152,9 +153,9 @@ void print_active(const Json& plan) {
               plan.at("coupling").at("scheme").get<std::string>().c_str(),
               plan.at("coupling").at("kernel_points").get<int>(),
               plan.at("coupling").at("fluid_steps_per_cell_step").get<int>());
-  std::printf("repulsion between cells: %s; from walls: %s\n",
-              plan.at("repulsion").at("between_cells").get<bool>() ? "yes" : "no (one cell, or range 0)",
-              plan.at("repulsion").at("from_walls").get<bool>() ? "yes" : "no (no walls, or range 0)");
+  std::printf("contact   between cells: %s; with walls: %s\n",
+              plan.at("contact").at("between_cells").get<bool>() ? "yes" : "no (one cell, or range 0)",
+              plan.at("contact").at("with_walls").get<bool>() ? "yes" : "no (no walls, or range 0)");
 }
 
 void print(const Json& plan, const flow::Scene& scene) {

@@ -138,7 +138,7 @@ double median(std::vector<double> values) {
 }
 
 void stop_if_interrupted() {
-  if (interrupt_requested()) throw Interrupted{};
+  if (request() != Request::none) throw Interrupted{};
 }
 
 }  // namespace npfem::app::bench

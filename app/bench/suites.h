@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/fma_peak.h"
+#include "communicator/communicator.h"
 
 namespace npfem::app::bench {
 
@@ -27,6 +28,13 @@ Json measure_cells(const Plan& plan);
 Json measure_convergence(const Plan& plan);
 /// Error against a converged solution versus time, over time step, tolerance, integrator, precision and mesh.
 Json measure_work_precision(const Plan& plan);
+
+/// Updates of fluid nodes per second, and the share of the memory's speed in place that they take.
+Json measure_fluid(const Plan& plan);
+/// Time per vertex of the immersed boundary.
+Json measure_ibm(const Plan& plan);
+/// Time per step of suspensions at physiological haematocrit, by phase, and its error. Collective.
+Json measure_coupled(const Plan& plan, flow::Communicator& communicator);
 
 /// The setting that work-precision rows recommend: least time among those that err by less than 1 % of the motion in
 /// every scenario. Null where there is none.

@@ -13,4 +13,10 @@ void Communicator::agree(const std::string& failure) {
   }
 }
 
+void Communicator::write_file(const std::filesystem::path& path, std::span<const Chunk> chunks) {
+  const std::unique_ptr<SharedFile> file = create_file(path);
+  file->write(chunks);
+  file->publish(false);
+}
+
 }  // namespace npfem::flow

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,6 +38,23 @@ struct Expected {
 struct Chunk {
   std::int64_t offset = 0;
   std::span<const std::byte> bytes;
+};
+
+// A file that all ranks write together, piece by piece, under the name `path`.part until it is complete. Calls are
+// collective. Where one fails, std::runtime_error is thrown on every rank with the path and the reason, and nothing of
+// the name `path` has changed; a file that is not published leaves nothing behind.
+class SharedFile {
+ public:
+  SharedFile() = default;
+  SharedFile(const SharedFile&) = delete;
+  SharedFile& operator=(const SharedFile&) = delete;
+  virtual ~SharedFile() = default;
+
+  virtual void write(std::span<const Chunk> chunks) = 0;
+
+  // The file takes the name `path`. `durable`: first waits until the disk has it, and then its name, so that the file
+  // outlives a loss of power.
+  virtual void publish(bool durable) = 0;
 };
 
 class Communicator {
@@ -76,10 +94,12 @@ class Communicator {
   virtual std::vector<Bytes> all_gather(std::span<const std::byte> bytes) = 0;        // by rank
   virtual void barrier() = 0;
 
-  // Creates or replaces the file: each rank writes its chunks into `path`.part, which then takes the name `path`, so
-  // that a reader never meets half a file. Where it fails, nothing of the name `path` has changed, and
-  // std::runtime_error is thrown on every rank with the path and the reason.
-  virtual void write_file(const std::filesystem::path& path, std::span<const Chunk> chunks) = 0;
+  // Creates `path`.part, replacing one left by a run that died. std::runtime_error on every rank where it cannot.
+  virtual std::unique_ptr<SharedFile> create_file(const std::filesystem::path& path) = 0;
+
+  // Creates or replaces the file: each rank writes its chunks, and a reader never meets half a file. Fails as
+  // SharedFile does.
+  void write_file(const std::filesystem::path& path, std::span<const Chunk> chunks);
 
   // Ends all ranks at once; the program's way out when one rank fails alone. Not collective.
   [[noreturn]] virtual void abort(int exit_code) noexcept = 0;

@@ -126,16 +126,13 @@ class MpiCommunicator final : public Communicator {
   std::vector<Bytes> gather(std::span<const std::byte> bytes, int root) override;
   std::vector<Bytes> all_gather(std::span<const std::byte> bytes) override;
   void barrier() override { MPI_Barrier(MPI_COMM_WORLD); }
-  void write_file(const std::filesystem::path& path, std::span<const Chunk> chunks) override;
+  std::unique_ptr<SharedFile> create_file(const std::filesystem::path& path) override;
   [[noreturn]] void abort(int exit_code) noexcept override {
     MPI_Abort(MPI_COMM_WORLD, exit_code);
     std::_Exit(exit_code);
   }
 
  private:
-  std::string write_part(const std::filesystem::path& path, std::span<const Chunk> chunks);
-  std::string write_pieces(MPI_File file, std::span<const Chunk> chunks);
-
   MpiSession session_;
   int rank_ = 0;
   int size_ = 1;
@@ -222,41 +219,64 @@ std::vector<Bytes> MpiCommunicator::all_gather(std::span<const std::byte> bytes)
   return by_rank;
 }
 
-std::string MpiCommunicator::write_pieces(MPI_File file, std::span<const Chunk> chunks) {
-  ChunkQueue queue(chunks);
-  std::string failure;
-  for (Chunk piece = queue.next(); any(!piece.bytes.empty()); piece = queue.next()) {
-    MPI_Status status;
-    const int bytes = count_of(piece.bytes.size());
-    const int error = MPI_File_write_at_all(file, piece.offset, piece.bytes.data(), bytes, MPI_BYTE, &status);
-    if (error != MPI_SUCCESS && failure.empty()) failure = mpi_message(error);
+class MpiFile final : public SharedFile {
+ public:
+  MpiFile(Communicator& communicator, const std::filesystem::path& path) : communicator_(communicator), path_(path) {
+    communicator.agree(first() ? create_part(path) : "");
+    const int error = MPI_File_open(MPI_COMM_WORLD, part_of(path).c_str(), MPI_MODE_WRONLY, MPI_INFO_NULL, &file_);
+    // where it opened on some ranks only it cannot be closed, which takes all
+    if (communicator.any(error != MPI_SUCCESS)) file_ = MPI_FILE_NULL;
+    agree(error == MPI_SUCCESS ? "" : mpi_message(error));
   }
-  return failure;
-}
+  ~MpiFile() override {
+    if (file_ == MPI_FILE_NULL) return;
+    MPI_File_close(&file_);
+    if (first()) discard_part(path_);
+  }
 
-std::string MpiCommunicator::write_part(const std::filesystem::path& path, std::span<const Chunk> chunks) {
-  MPI_File file = MPI_FILE_NULL;
-  const int opened = MPI_File_open(MPI_COMM_WORLD, part_of(path).c_str(), MPI_MODE_WRONLY, MPI_INFO_NULL, &file);
-  if (any(opened != MPI_SUCCESS)) return opened == MPI_SUCCESS ? "" : write_failure(path, mpi_message(opened));
-  std::string reason = write_pieces(file, chunks);
-  const int closed = MPI_File_close(&file);
-  if (closed != MPI_SUCCESS && reason.empty()) reason = mpi_message(closed);
-  return reason.empty() ? "" : write_failure(path, reason);
-}
+  void write(std::span<const Chunk> chunks) override {
+    ChunkQueue queue(chunks);
+    std::string reason;
+    for (Chunk piece = queue.next(); communicator_.any(!piece.bytes.empty()); piece = queue.next()) {
+      MPI_Status status;
+      const int bytes = count_of(piece.bytes.size());
+      const int error = MPI_File_write_at_all(file_, piece.offset, piece.bytes.data(), bytes, MPI_BYTE, &status);
+      if (error != MPI_SUCCESS && reason.empty()) reason = mpi_message(error);
+    }
+    agree(reason);
+    end_ = std::max(end_, end_of(chunks));
+  }
 
-void MpiCommunicator::write_file(const std::filesystem::path& path, std::span<const Chunk> chunks) {
-  agree(rank_ == 0 ? create_part(path) : "");
-  const std::string failure = write_part(path, chunks);
-  if (any(!failure.empty())) {
-    if (rank_ == 0) discard_part(path);
-    agree(failure);
+  void publish(bool durable) override {
+    const int synced = durable ? MPI_File_sync(file_) : MPI_SUCCESS;
+    agree(synced == MPI_SUCCESS ? "" : mpi_message(synced));
+    const int closed = MPI_File_close(&file_);
+    file_ = MPI_FILE_NULL;
+    agree(closed == MPI_SUCCESS ? "" : mpi_message(closed));
+    communicator_.maximum(std::span(&end_, 1));
+    communicator_.agree(first() ? publish_part(path_, end_, durable) : "");
   }
-  std::int64_t end = 0;
-  for (const Chunk& chunk : chunks) {
-    if (!chunk.bytes.empty()) end = std::max(end, chunk.offset + std::ssize(chunk.bytes));
+
+ private:
+  bool first() const { return communicator_.rank() == 0; }
+
+  // A failure of one is the end of the file on all.
+  void agree(const std::string& reason) {
+    if (!communicator_.any(!reason.empty())) return;
+    if (file_ != MPI_FILE_NULL) MPI_File_close(&file_);
+    file_ = MPI_FILE_NULL;
+    if (first()) discard_part(path_);
+    communicator_.agree(reason.empty() ? "" : write_failure(path_, reason));
   }
-  maximum(std::span(&end, 1));
-  agree(rank_ == 0 ? publish_part(path, end) : "");
+
+  Communicator& communicator_;
+  std::filesystem::path path_;
+  MPI_File file_ = MPI_FILE_NULL;
+  std::int64_t end_ = 0;
+};
+
+std::unique_ptr<SharedFile> MpiCommunicator::create_file(const std::filesystem::path& path) {
+  return std::make_unique<MpiFile>(*this, path);
 }
 
 }  // namespace

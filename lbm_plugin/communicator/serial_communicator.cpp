@@ -8,34 +8,56 @@
 #include <memory>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "communicator/part_file.h"
 
 namespace npfem::flow {
 namespace {
 
-// Returns errno of the first call that fails, 0 on success.
-int write_chunks(const std::filesystem::path& part, std::span<const Chunk> chunks) {
-  std::FILE* file = std::fopen(part.c_str(), "r+b");
-  if (file == nullptr) return errno;
-  int failure = 0;
-  for (const Chunk& chunk : chunks) {
-    if (chunk.bytes.empty()) continue;
-    const bool written = fseeko(file, chunk.offset, SEEK_SET) == 0 &&
-                         std::fwrite(chunk.bytes.data(), 1, chunk.bytes.size(), file) == chunk.bytes.size();
-    if (!written && failure == 0) failure = errno;
-  }
-  if (std::fclose(file) != 0 && failure == 0) failure = errno;
-  return failure;
+std::string last_reason() {
+  return std::generic_category().message(errno);
 }
 
-std::int64_t end_of(std::span<const Chunk> chunks) {
-  std::int64_t end = 0;
-  for (const Chunk& chunk : chunks) {
-    if (!chunk.bytes.empty()) end = std::max(end, chunk.offset + std::ssize(chunk.bytes));
+class SerialFile final : public SharedFile {
+ public:
+  explicit SerialFile(const std::filesystem::path& path) : path_(path) {
+    file_ = std::fopen(part_of(path).c_str(), "wb");
+    if (file_ == nullptr) throw std::runtime_error(write_failure(path, last_reason()));
   }
-  return end;
-}
+  ~SerialFile() override {
+    if (file_ == nullptr) return;
+    std::fclose(file_);
+    discard_part(path_);
+  }
+
+  void write(std::span<const Chunk> chunks) override {
+    for (const Chunk& chunk : chunks) {
+      if (chunk.bytes.empty()) continue;
+      if (fseeko(file_, chunk.offset, SEEK_SET) != 0 ||
+          std::fwrite(chunk.bytes.data(), 1, chunk.bytes.size(), file_) != chunk.bytes.size()) {
+        throw std::runtime_error(write_failure(path_, last_reason()));
+      }
+    }
+    end_ = std::max(end_, end_of(chunks));
+  }
+
+  void publish(bool durable) override {
+    if (std::fclose(std::exchange(file_, nullptr)) != 0) {
+      const std::string failure = write_failure(path_, last_reason());
+      discard_part(path_);
+      throw std::runtime_error(failure);
+    }
+    if (const std::string failure = publish_part(path_, end_, durable); !failure.empty()) {
+      throw std::runtime_error(failure);
+    }
+  }
+
+ private:
+  std::filesystem::path path_;
+  std::FILE* file_;  // none once it is closed
+  std::int64_t end_ = 0;
+};
 
 }  // namespace
 
@@ -59,13 +81,8 @@ std::vector<Bytes> SerialCommunicator::all_gather(std::span<const std::byte> byt
   return {Bytes(bytes.begin(), bytes.end())};
 }
 
-void SerialCommunicator::write_file(const std::filesystem::path& path, std::span<const Chunk> chunks) {
-  agree(create_part(path));
-  if (const int failure = write_chunks(part_of(path), chunks); failure != 0) {
-    discard_part(path);
-    agree(write_failure(path, std::generic_category().message(failure)));
-  }
-  agree(publish_part(path, end_of(chunks)));
+std::unique_ptr<SharedFile> SerialCommunicator::create_file(const std::filesystem::path& path) {
+  return std::make_unique<SerialFile>(path);
 }
 
 void SerialCommunicator::abort(int exit_code) noexcept {

@@ -27,7 +27,7 @@ class SerialCommunicator final : public Communicator {
   std::vector<Bytes> gather(std::span<const std::byte> bytes, int root) override;
   std::vector<Bytes> all_gather(std::span<const std::byte> bytes) override;
   void barrier() override {}
-  void write_file(const std::filesystem::path& path, std::span<const Chunk> chunks) override;
+  std::unique_ptr<SharedFile> create_file(const std::filesystem::path& path) override;
   [[noreturn]] void abort(int exit_code) noexcept override;
 };
 

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <limits>
 
+#include "contact/closed_surface.h"
 #include "geometry/vec3.h"
-#include "placement/triangle_distance.h"
 
 namespace npfem::flow {
 namespace {
@@ -66,16 +66,53 @@ std::vector<BoundedTriangle> triangles_of(const CellSurface& cell, const std::ve
   return triangles;
 }
 
-/// From the vertices of `cell`, moved by -shift, to the triangles; `best` where none is nearer.
-double nearest(const CellSurface& cell, const Vec3& shift, std::span<const BoundedTriangle> triangles, double best) {
+bool contains(const Bounds& bounds, const Vec3& point, double margin) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (point[axis] < bounds.low[axis] - margin || point[axis] > bounds.high[axis] + margin) return false;
+  }
+  return true;
+}
+
+/// A cell's surface, ready to be asked how far a point is from it.
+struct Target {
+  const CellSurface& cell;
+  const ClosedSurface& surface;
+  const Bounds& bounds;
+  std::span<const BoundedTriangle> triangles;
+};
+
+/// Signed distance from the point to the surface; `best` where it is not nearer than that.
+double signed_distance(const Vec3& point, const Target& target, double best) {
+  // A point within the bounds may be inside, and then its distance counts however far from the surface it is.
+  double nearest = contains(target.bounds, point, 0) ? kInfinity : best;
+  std::size_t its_triangle = target.triangles.size();
+  std::array<double, 3> its_weight{};
+  Vec3 its_apart{};
+  for (std::size_t t = 0; t < target.triangles.size(); ++t) {
+    const BoundedTriangle& triangle = target.triangles[t];
+    const Vec3 to_centre = subtract(point, triangle.centre);
+    const double reach = nearest + triangle.radius;
+    if (dot(to_centre, to_centre) >= reach * reach) continue;
+    const std::array<double, 3> weight = nearest_on_triangle(point, triangle.corner);
+    const Vec3 apart = subtract(point, weighted(weight, triangle.corner));
+    if (norm(apart) >= nearest) continue;
+    nearest = norm(apart);
+    its_triangle = t;
+    its_weight = weight;
+    its_apart = apart;
+  }
+  if (its_triangle == target.triangles.size()) return best;
+  const Vec3 outward = target.surface.outward(its_triangle, its_weight,
+                                              [&](auto v) { return vertex(target.cell, static_cast<std::size_t>(v)); });
+  return dot(its_apart, outward) < 0 ? -nearest : std::min(nearest, best);
+}
+
+/// From the vertices of `cell`, moved by -shift, to the surface; `best` where none is nearer.
+double nearest(const CellSurface& cell, const Vec3& shift, const Target& target, double best) {
   for (std::size_t v = 0; v < cell.positions.size() / 3; ++v) {
     const Vec3 point = subtract(vertex(cell, v), shift);
-    for (const BoundedTriangle& triangle : triangles) {
-      const Vec3 apart = subtract(point, triangle.centre);
-      const double reach = best + triangle.radius;
-      if (dot(apart, apart) >= reach * reach) continue;
-      best = std::min(best, distance_to_triangle(point, triangle.corner[0], triangle.corner[1], triangle.corner[2]));
-    }
+    if (!contains(target.bounds, point, std::max(best, 0.0))) continue;
+    best = std::min(best, signed_distance(point, target, best));
   }
   return best;
 }
@@ -134,17 +171,15 @@ struct Candidate {
   Vec3 shift;  // of b
 };
 
-/// Pairs of one own cell and one other, the most promising first.
+/// Pairs of one own cell and one other, or its own image, the most promising first.
 std::vector<Candidate> candidates(const Domain& domain, std::span<const CellSurface> own,
-                                  std::span<const CellSurface> all) {
-  std::vector<Bounds> bounds(all.size());
-  std::transform(all.begin(), all.end(), bounds.begin(), bounds_of);
+                                  std::span<const CellSurface> all, std::span<const Bounds> bounds) {
   std::vector<Candidate> pairs;
   for (std::size_t i = 0; i < own.size(); ++i) {
     const Bounds mine = bounds_of(own[i]);
     for (std::size_t j = 0; j < all.size(); ++j) {
-      if (all[j].id == own[i].id) continue;
       for (const Vec3& shift : images(domain, mine, bounds[j])) {
+        if (all[j].id == own[i].id && shift == Vec3{}) continue;
         pairs.push_back({distance(mine, bounds[j], shift), i, j, shift});
       }
     }
@@ -163,14 +198,19 @@ double smallest(Communicator& communicator, double value) {
 double smallest_cell_gap(const Domain& domain, std::span<const CellType> types, Communicator& communicator,
                          std::span<const CellSurface> own) {
   const std::vector<CellSurface> all = all_cells(types, communicator, own);
+  std::vector<ClosedSurface> surfaces;
+  for (const CellType& type : types) surfaces.emplace_back(type.shape, type.triangles);
+  std::vector<Bounds> bounds(all.size());
+  std::transform(all.begin(), all.end(), bounds.begin(), bounds_of);
   std::vector<std::vector<BoundedTriangle>> triangles(all.size());
   double best = kInfinity;
-  for (const Candidate& pair : candidates(domain, own, all)) {
-    if (pair.least >= best) break;
+  for (const Candidate& pair : candidates(domain, own, all, bounds)) {
+    // Cells whose bounds overlap may be inside each other, and so below any gap.
+    if (pair.least > 0 && pair.least >= best) break;
     const CellSurface& other = all[pair.b];
-    auto& its = triangles[pair.b];
-    if (its.empty()) its = triangles_of(other, types[static_cast<std::size_t>(other.type)].triangles);
-    best = nearest(own[pair.a], pair.shift, its, best);
+    const auto type = static_cast<std::size_t>(other.type);
+    if (triangles[pair.b].empty()) triangles[pair.b] = triangles_of(other, types[type].triangles);
+    best = nearest(own[pair.a], pair.shift, {other, surfaces[type], bounds[pair.b], triangles[pair.b]}, best);
   }
   return smallest(communicator, best);
 }

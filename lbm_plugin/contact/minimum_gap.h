@@ -16,9 +16,10 @@ struct CellSurface {
   std::vector<double> positions;  ///< xyz, um, unwrapped
 };
 
-/// Smallest distance (um) from a vertex of one cell to a triangle of another in the whole system, periodic images
-/// included; infinity where there are not two cells. `own`: the cells of this rank. Looks at all pairs of cells that
-/// could be closest: for output and tests, not for every step. Collective.
+/// Smallest distance (um) from a vertex of one cell to the surface of another, or of its own periodic image, in the
+/// whole system; negative by how far a vertex is inside another cell. Infinity where there is no other surface.
+/// `own`: the cells of this rank. Looks at all pairs of cells that could be closest: for output and tests, not for
+/// every step. Collective.
 double smallest_cell_gap(const Domain& domain, std::span<const CellType> types, Communicator& communicator,
                          std::span<const CellSurface> own);
 

@@ -9,6 +9,7 @@
 #include "geometry/vec3.h"
 #include "immersed_boundary/stencil.h"
 #include "lattice/compensated_sum.h"
+#include "mix_bits.h"
 
 namespace npfem::flow {
 namespace {
@@ -17,6 +18,7 @@ namespace {
 struct CellTag {
   int id;
   int type;
+  CellOutcome outcome;
 };
 
 template <class T>
@@ -25,11 +27,16 @@ void append(Bytes& bytes, std::span<const T> values) {
   bytes.insert(bytes.end(), raw.begin(), raw.end());
 }
 
-// Finaliser of splitmix64 (Steele, Lea & Flood 2014).
-constexpr std::uint64_t mixed(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-  return x ^ (x >> 31);
+/// xyz of every vertex of the cell, um.
+std::vector<double> start_positions(const CellStart& start, const CellType& type) {
+  if (!start.positions.empty()) return start.positions;
+  std::vector<double> positions = type.shape;
+  for (std::size_t v = 0; v < positions.size() / 3; ++v) {
+    const Vec3 turned = rotate(start.rotation, {positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]});
+    const Vec3 placed = add(start.centre, turned);
+    std::copy(placed.begin(), placed.end(), positions.begin() + static_cast<std::ptrdiff_t>(3 * v));
+  }
+  return positions;
 }
 
 void require_shape(const CellType& type) {
@@ -42,9 +49,10 @@ void require_shape(const CellType& type) {
 }  // namespace
 
 CellPopulation::CellPopulation(const Setup& setup, Communicator& communicator, const Decomposition& decomposition,
-                               double delta)
+                               double delta, Begin begin)
     : setup_(setup), communicator_(communicator), decomposition_(decomposition) {
   create_batches(delta);
+  if (begin == Begin::empty) return;
   for (std::size_t i = 0; i < setup.cells.size(); ++i) place(setup.cells[i], static_cast<int>(i));
   sort_cells();
 }
@@ -52,8 +60,9 @@ CellPopulation::CellPopulation(const Setup& setup, Communicator& communicator, c
 void CellPopulation::create_batches(double delta) {
   for (const CellType& type : setup_.types) {
     require_shape(type);
-    Kind created{api::Batch(*type.model, "cpu", 0),
+    Kind created{api::Batch(*type.model, setup_.backend, 0),
                  static_cast<std::size_t>(type.model->vertices()),
+                 {},
                  {},
                  type.model->get("solid_mass"),
                  {}};
@@ -69,27 +78,39 @@ void CellPopulation::place(const CellStart& start, int id) {
     throw std::invalid_argument("cell " + std::to_string(id) + " is of type " + std::to_string(start.type) +
                                 "; there are " + std::to_string(kinds_.size()) + " types, counted from 0");
   }
-  std::vector<double> positions = setup_.types[static_cast<std::size_t>(start.type)].shape;
-  for (std::size_t v = 0; v < positions.size() / 3; ++v) {
-    const Vec3 turned = rotate(start.rotation, {positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]});
-    const Vec3 placed = flow::add(start.centre, turned);
-    std::copy(placed.begin(), placed.end(), positions.begin() + static_cast<std::ptrdiff_t>(3 * v));
+  const std::vector<double> positions = start_positions(start, setup_.types[static_cast<std::size_t>(start.type)]);
+  if (positions.size() != 3 * vertices_of(start.type)) {
+    throw std::invalid_argument("cell " + std::to_string(id) + " starts with " + std::to_string(positions.size()) +
+                                " coordinates, its model needs " + std::to_string(3 * vertices_of(start.type)));
   }
   if (owner_of(positions) != communicator_.rank()) return;
-  add(start.type, id);
+  add(start.type, id, {});
   Kind& its = kind(start.type);
   its.batch.write("position", static_cast<int>(its.ids.size()) - 1, 1, positions);
 }
 
 /// Appends a cell to the batch of its type; its state is still to be written.
-void CellPopulation::add(int type, int id) {
+void CellPopulation::add(int type, int id, const CellOutcome& outcome) {
+  sorted_ = false;
   Kind& its = kind(type);
   const int slot = its.batch.add(1);
   its.ids.push_back(id);
+  its.outcomes.push_back(outcome);
   if (!its.ambient_mass.empty()) its.batch.write("ambient_mass", slot, 1, its.ambient_mass);
 }
 
+std::size_t CellPopulation::pack_length(int type) const {
+  return static_cast<std::size_t>(api::check(npfem_batch_pack_length(kind(type).batch.handle())));
+}
+
+void CellPopulation::add_packed(int type, int id, const CellOutcome& outcome, std::span<const double> state) {
+  add(type, id, outcome);
+  Kind& its = kind(type);
+  its.batch.unpack(static_cast<int>(its.ids.size()) - 1, state);
+}
+
 void CellPopulation::sort_cells() {
+  sorted_ = true;
   cells_.clear();
   for (std::size_t type = 0; type < kinds_.size(); ++type) {
     const auto& ids = kinds_[type].ids;
@@ -123,7 +144,7 @@ void CellPopulation::migrate() {
   std::vector<Incoming> incoming;
   communicator_.exchange(outgoing, incoming);
   for (const Incoming& message : incoming) unpack_arriving(message.bytes);
-  if (!outgoing.empty() || !incoming.empty()) sort_cells();
+  if (!sorted_) sort_cells();
 }
 
 std::vector<Bytes> CellPopulation::pack_leaving() {
@@ -137,12 +158,15 @@ std::vector<Bytes> CellPopulation::pack_leaving() {
       its.batch.read("position", slot, 1, positions);
       const int owner = owner_of(positions);
       if (owner == communicator_.rank()) continue;
-      const CellTag tag{its.ids[static_cast<std::size_t>(slot)], static_cast<int>(type)};
+      const auto s = static_cast<std::size_t>(slot);
+      const CellTag tag{its.ids[s], static_cast<int>(type), its.outcomes[s]};
       Bytes& message = messages[static_cast<std::size_t>(owner)];
       append(message, std::span(&tag, 1));
       append<double>(message, its.batch.pack(slot));
+      sorted_ = false;
       its.batch.remove(slot);
       its.ids.erase(its.ids.begin() + slot);
+      its.outcomes.erase(its.outcomes.begin() + slot);
     }
   }
   return messages;
@@ -154,12 +178,10 @@ void CellPopulation::unpack_arriving(const Bytes& message) {
     CellTag tag;
     std::memcpy(&tag, message.data() + at, sizeof tag);
     at += sizeof tag;
-    add(tag.type, tag.id);
-    Kind& its = kind(tag.type);
-    state.resize(static_cast<std::size_t>(api::check(npfem_batch_pack_length(its.batch.handle()))));
+    state.resize(pack_length(tag.type));
     std::memcpy(state.data(), message.data() + at, state.size() * sizeof(double));
     at += state.size() * sizeof(double);
-    its.batch.unpack(static_cast<int>(its.ids.size()) - 1, state);
+    add_packed(tag.type, tag.id, tag.outcome, state);
   }
 }
 
@@ -180,8 +202,10 @@ void CellPopulation::read(const char* field, std::vector<double>& values) const 
 }
 
 void CellPopulation::write(const char* field, std::span<const double> values) {
+  if (vertices_.empty()) return;
+  const std::size_t components = values.size() / vertices_.size();
   for (const Cell& cell : cells_) {
-    const auto part = values.subspan(3 * cell.first_vertex, 3 * vertices_of(cell.type));
+    const auto part = values.subspan(components * cell.first_vertex, components * vertices_of(cell.type));
     kind(cell.type).batch.write(field, cell.slot, 1, part);
   }
 }
@@ -205,6 +229,7 @@ CellStepReport CellPopulation::step() {
       ++report.cell_steps;
       report.iterations += iterations[slot];
       report.worst_residual = std::max(report.worst_residual, residual[slot]);
+      its.outcomes[slot] = {status[slot], iterations[slot], residual[slot]};
       if (status[slot] >= NPFEM_CELL_NOT_FINITE) {
         report.failures.push_back(
             {its.ids[slot], static_cast<int>(type), its.batch.status_text(static_cast<int>(slot))});
@@ -236,8 +261,8 @@ std::uint64_t CellPopulation::state_hash() const {
     if (its.ids.empty()) continue;
     const std::vector<std::int64_t> hashes = its.batch.state_hash();
     for (std::size_t slot = 0; slot < its.ids.size(); ++slot) {
-      const std::uint64_t key = mixed(static_cast<std::uint64_t>(its.ids[slot]) + 1);
-      sum += mixed(key ^ static_cast<std::uint64_t>(hashes[slot]));
+      const std::uint64_t key = mix_bits(static_cast<std::uint64_t>(its.ids[slot]) + 1);
+      sum += mix_bits(key ^ static_cast<std::uint64_t>(hashes[slot]));
     }
   }
   return sum;

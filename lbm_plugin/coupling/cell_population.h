@@ -28,6 +28,13 @@ struct CellStepReport {
   double worst_residual = 0;  ///< pN, over the cells that did not fail
 };
 
+/// How the last step of a cell ended.
+struct CellOutcome {
+  int status = 0;  ///< NPFEM_CELL_...
+  int iterations = 0;
+  double residual = 0;  ///< pN
+};
+
 /// The cells one rank owns: those whose centroid (mean of the vertices) lies in its block. One batch of the cell solver
 /// per type; to the rest of the coupling the vertices are flat arrays in order of (global cell id, vertex), whatever
 /// the order in the batches.
@@ -43,7 +50,14 @@ class CellPopulation {
   /// Places the cells of the setup, undeformed, at rest; each rank takes its own. `delta`: time step of the cell
   /// solver, us. `setup` must outlive the population. std::invalid_argument where a cell names a type that is not there
   /// or its shape does not fit its model.
-  CellPopulation(const Setup& setup, Communicator& communicator, const Decomposition& decomposition, double delta);
+  CellPopulation(const Setup& setup, Communicator& communicator, const Decomposition& decomposition, double delta)
+      : CellPopulation(setup, communicator, decomposition, delta, Begin::placed) {}
+
+  /// The same without cells, which are then added in the states of an earlier run.
+  static CellPopulation without_cells(const Setup& setup, Communicator& communicator,
+                                      const Decomposition& decomposition, double delta) {
+    return {setup, communicator, decomposition, delta, Begin::empty};
+  }
 
   /// Hands every cell that has left this rank's block to the rank it has entered. Collective. Without effect on the
   /// results: a cell's state moves bit for bit.
@@ -54,10 +68,21 @@ class CellPopulation {
   const api::Batch& batch(int type) const { return kind(type).batch; }
   std::size_t vertices_of(int type) const { return kind(type).vertices; }
 
+  /// One cell's whole state as numbers, bit for bit: pack_length() of them.
+  std::size_t pack_length(int type) const;
+  std::vector<double> pack(const Cell& cell) const { return kind(cell.type).batch.pack(cell.slot); }
+  /// Adds a cell in a packed state, wherever it is; migrate() then brings it to its owner.
+  void add_packed(int type, int id, const CellOutcome& outcome, std::span<const double> state);
+
+  const CellOutcome& outcome(const Cell& cell) const {
+    return kind(cell.type).outcomes[static_cast<std::size_t>(cell.slot)];
+  }
+
   /// The mass of fluid (fg) that moves with each vertex of that type, for all its cells, now and later.
   void set_ambient_mass(int type, std::vector<double> masses);
 
-  /// A field of the cell solver (see npfem_batch_set), three numbers per own vertex.
+  /// A field of the cell solver (see npfem_batch_set): to be read, one of three numbers per own vertex; to be written,
+  /// of as many as are given.
   void read(const char* field, std::vector<double>& values) const;
   void write(const char* field, std::span<const double> values);
 
@@ -74,9 +99,12 @@ class CellPopulation {
   std::uint64_t state_hash() const;
 
  private:
+  enum class Begin { placed, empty };
+  CellPopulation(const Setup& setup, Communicator& communicator, const Decomposition& decomposition, double delta,
+                 Begin begin);
   void create_batches(double delta);
   void place(const CellStart& start, int id);
-  void add(int type, int id);
+  void add(int type, int id, const CellOutcome& outcome);
   void sort_cells();
   int owner_of(std::span<const double> positions) const;
   std::vector<Bytes> pack_leaving();
@@ -86,9 +114,10 @@ class CellPopulation {
   struct Kind {
     api::Batch batch;
     std::size_t vertices = 0;
-    std::vector<int> ids;              // global id by slot
-    std::vector<double> solid_mass;    // by vertex, fg
-    std::vector<double> ambient_mass;  // by vertex, fg; empty: none
+    std::vector<int> ids;               // global id by slot
+    std::vector<CellOutcome> outcomes;  // by slot
+    std::vector<double> solid_mass;     // by vertex, fg
+    std::vector<double> ambient_mass;   // by vertex, fg; empty: none
   };
   Kind& kind(int type) { return kinds_[static_cast<std::size_t>(type)]; }
   const Kind& kind(int type) const { return kinds_[static_cast<std::size_t>(type)]; }
@@ -97,6 +126,7 @@ class CellPopulation {
   Communicator& communicator_;
   Decomposition decomposition_;
   bool has_solid_mass_ = false;
+  bool sorted_ = false;      // cells_ and vertices_ are those of kinds_
   std::vector<Kind> kinds_;  // by type
   std::vector<Cell> cells_;
   std::vector<VertexId> vertices_;

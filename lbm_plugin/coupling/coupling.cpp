@@ -2,6 +2,7 @@
 #include "coupling/coupling.h"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "coupling/implicit_coupling.h"
 #include "coupling/peskin_coupling.h"
@@ -11,6 +12,9 @@ namespace npfem::flow {
 
 std::unique_ptr<Coupling> Coupling::create(const CoupledParts& parts) {
   if (parts.setup.coupling.scheme == CouplingScheme::peskin) return std::make_unique<PeskinCoupling>(parts);
+  if (parts.setup.coupling.scheme == CouplingScheme::lineage) {
+    throw std::invalid_argument("coupling.scheme \"lineage\" is not built yet; take \"implicit\" or \"peskin\"");
+  }
   return std::make_unique<ImplicitCoupling>(parts);
 }
 
@@ -18,7 +22,7 @@ Coupling::Coupling(const CoupledParts& parts)
     : parts_(parts), delta_(parts.setup.coupling.steps_per_solve * parts.setup.time_step) {}
 
 void Coupling::hold_present_forces() {
-  parts_.fluid.locate(parts_.cells);
+  parts_.fluid.locate(parts_.cells, 0);
   parts_.fluid.sample_contact(contact_);
   parts_.cells.evaluate();
   parts_.cells.read("elastic_force", force_);
@@ -27,15 +31,14 @@ void Coupling::hold_present_forces() {
   apply_forces({});
 }
 
-void Coupling::apply_forces(const Vec3& inertia) {
+void Coupling::apply_forces(const Vec3& outside) {
   parts_.fluid.apply(force_);
   double magnitude = 0;
   for (std::size_t v = 0; v < force_.size() / 3; ++v) {
     magnitude += norm({force_[3 * v], force_[3 * v + 1], force_[3 * v + 2]});
   }
   const double unit = parts_.units.force();
-  parts_.audit.hold(parts_.lattice, subtract(parts_.fluid.external_force(), scale(1.0 / unit, inertia)),
-                    magnitude / unit);
+  parts_.audit.hold(parts_.lattice, add(parts_.fluid.external_force(), scale(1.0 / unit, outside)), magnitude / unit);
 }
 
 }  // namespace npfem::flow

@@ -40,8 +40,9 @@ class Coupling {
  protected:
   explicit Coupling(const CoupledParts& parts);
 
-  /// Spreads force_ where the vertices were located; `inertia` is the rate of change of the cells' own momentum, pN.
-  void apply_forces(const Vec3& inertia);
+  /// Spreads force_ where the vertices were located; `outside`: what the cells give to the fluid beside what acts on
+  /// them from walls, pN, so that the momentum of all can be audited.
+  void apply_forces(const Vec3& outside);
 
   CoupledParts parts_;
   double delta_;                                               // us

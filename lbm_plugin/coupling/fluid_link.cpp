@@ -2,80 +2,147 @@
 #include "coupling/fluid_link.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "coupling/stopwatch.h"
 #include "geometry/vec3.h"
 
 namespace npfem::flow {
 
+namespace {
+
+/// Where the held vertices of a rank are: its block, in um.
+TriangleGrid::Window window_of(const Domain& domain, const Box& own) {
+  TriangleGrid::Window window{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int nodes = own.end[axis] - own.begin[axis];
+    window.low[axis] = own.begin[axis] * domain.dx;
+    window.size[axis] = nodes * domain.dx;
+    if (domain.periodic()[axis]) window.period[axis] = domain.size()[axis];
+    window.is_whole[axis] = domain.periodic()[axis] && nodes == domain.nodes[axis];
+  }
+  return window;
+}
+
+double longest_edge(const CellPopulation& cells, std::span<const CellType> types, std::span<const double> xyz) {
+  double square = 0;
+  for (const CellPopulation::Cell& cell : cells.cells()) {
+    const double* const x = xyz.data() + 3 * cell.first_vertex;
+    const std::vector<std::int32_t>& triangles = types[static_cast<std::size_t>(cell.type)].triangles;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const double* const a = x + 3 * triangles[i];
+      const double* const b = x + 3 * triangles[i % 3 == 2 ? i - 2 : i + 1];
+      const Vec3 edge{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+      square = std::max(square, dot(edge, edge));
+    }
+  }
+  return std::sqrt(square);
+}
+
+double fastest(std::span<const double> velocities) {
+  double square = 0;
+  for (std::size_t i = 0; i < velocities.size(); i += 3) {
+    const Vec3 v{velocities[i], velocities[i + 1], velocities[i + 2]};
+    square = std::max(square, dot(v, v));
+  }
+  return std::sqrt(square);
+}
+
+}  // namespace
+
 FluidLink::FluidLink(const Setup& setup, const Units& units, Communicator& communicator, Lattice& lattice)
     : units_(units),
       lattice_(lattice),
       exchange_(communicator, lattice.decomposition(), units.dx),
       boundary_(setup.coupling.kernel_points, lattice),
-      repulsion_(setup, lattice.decomposition(), lattice.nodes().own()),
-      has_walls_(setup.domain.kind != DomainKind::periodic_box) {}
+      contacts_(setup, window_of(setup.domain, lattice.nodes().own())),
+      types_(setup.types),
+      has_walls_(setup.domain.has_walls()),
+      communicator_(communicator) {}
 
-void FluidLink::locate(const CellPopulation& cells) {
-  const Stopwatch watch(seconds_);
+void FluidLink::locate(const CellPopulation& cells, double delta) {
+  const Stopwatch watch(seconds_.exchange);
   cells.read("position", positions_);
+  cells.read("velocity", velocities_);
+  expected_.resize(positions_.size());
+  for (std::size_t i = 0; i < positions_.size(); ++i) expected_[i] = positions_[i] + delta * velocities_[i];
   own_vertices_ = cells.vertices().size();
-  exchange_.share_positions(cells.vertices(), positions_);
+  exchange_.share_positions(cells.vertices(), positions_, expected_, contact_reach(cells, delta));
+}
+
+/// Nodes from a held vertex to the farthest corner of a triangle that it may touch: their greatest distance when the
+/// contacts act, and what both have moved until then. The longest edge and the greatest speed of the whole system are
+/// exact on every rank, so no stretched triangle is overlooked.
+int FluidLink::contact_reach(const CellPopulation& cells, double delta) {
+  if (!(contacts_.reach() > 0) || communicator_.size() == 1) return 0;
+  std::array<double, 2> largest{longest_edge(cells, types_, expected_), fastest(velocities_)};
+  communicator_.maximum(largest);
+  const double nodes = (contacts_.reach() + largest[0] + 2 * delta * largest[1]) / units_.dx;
+  const Index3& all = lattice_.decomposition().nodes();
+  return static_cast<int>(std::min(std::ceil(nodes), static_cast<double>(*std::max_element(all.begin(), all.end()))));
 }
 
 void FluidLink::interpolate() {
-  lattice_.update_velocity();
+  {
+    const Stopwatch watch(seconds_.velocity);
+    lattice_.update_velocity();
+  }
+  const Stopwatch watch(seconds_.interpolation);
   held_velocity_.resize(3 * held_count());
   boundary_.interpolate(exchange_.known().in_nodes, exchange_.known().held, held_velocity_);
   for (double& component : held_velocity_) component *= units_.velocity();
 }
 
-void FluidLink::find_contact() {
-  held_contact_.resize(3 * held_count());
-  repulsion_.evaluate(exchange_.known(), held_contact_);
+void FluidLink::find_contacts() {
+  const Stopwatch watch(seconds_.contacts);
+  found_.resize(exchange_.contact_vertices().id.size());
+  contacts_.evaluate(exchange_.contact_vertices(), found_);
+  own_.resize(own_vertices_);
+}
+
+void FluidLink::take_forces(std::vector<double>& contact) const {
+  contact.resize(3 * own_vertices_);
+  for (std::size_t i = 0; i < contact.size(); ++i) contact[i] = force_of(own_[i / 3].force[i % 3]);
 }
 
 void FluidLink::sample_velocity(std::vector<double>& velocity) {
-  const Stopwatch watch(seconds_);
   interpolate();
+  const Stopwatch watch(seconds_.exchange);
   velocity.resize(3 * own_vertices_);
   exchange_.return_to_owners(held_velocity_, 3, velocity);
 }
 
 void FluidLink::sample_contact(std::vector<double>& contact) {
-  const Stopwatch watch(seconds_);
   contact.assign(3 * own_vertices_, 0.0);
-  if (!repulsion_.active()) return;
-  find_contact();
-  exchange_.return_to_owners(held_contact_, 3, contact);
+  if (!contacts_.active()) return;
+  find_contacts();
+  const Stopwatch watch(seconds_.exchange);
+  exchange_.return_to_owners({}, 0, {}, found_, own_);
+  take_forces(contact);
 }
 
-void FluidLink::sample(std::vector<double>& velocity, std::vector<double>& contact) {
-  if (!repulsion_.active()) {
-    sample_contact(contact);
+void FluidLink::sample(std::vector<double>& velocity, std::vector<double>& contact, std::vector<double>& stiffness) {
+  stiffness.assign(own_vertices_, 0.0);
+  if (!contacts_.active()) {
+    contact.assign(3 * own_vertices_, 0.0);
     return sample_velocity(velocity);
   }
-  const Stopwatch watch(seconds_);
   interpolate();
-  find_contact();
-  held_both_.resize(6 * held_count());
-  for (std::size_t h = 0; h < held_count(); ++h) {
-    std::copy_n(&held_velocity_[3 * h], 3, &held_both_[6 * h]);
-    std::copy_n(&held_contact_[3 * h], 3, &held_both_[6 * h + 3]);
-  }
-  own_both_.resize(6 * own_vertices_);
-  exchange_.return_to_owners(held_both_, 6, own_both_);
+  find_contacts();
+  const Stopwatch watch(seconds_.exchange);
   velocity.resize(3 * own_vertices_);
-  contact.resize(3 * own_vertices_);
-  for (std::size_t v = 0; v < own_vertices_; ++v) {
-    std::copy_n(&own_both_[6 * v], 3, &velocity[3 * v]);
-    std::copy_n(&own_both_[6 * v + 3], 3, &contact[3 * v]);
-  }
+  exchange_.return_to_owners(held_velocity_, 3, velocity, found_, own_);
+  take_forces(contact);
+  for (std::size_t v = 0; v < own_vertices_; ++v) stiffness[v] = stiffness_of(own_[v].stiffness);
 }
 
 void FluidLink::apply(std::span<const double> forces) {
-  const Stopwatch watch(seconds_);
-  exchange_.share_forces(forces, known_force_);
+  {
+    const Stopwatch watch(seconds_.exchange);
+    exchange_.share_forces(forces, known_force_);
+  }
+  const Stopwatch watch(seconds_.spreading);
   for (double& component : known_force_) component /= units_.force();
   const KnownVertices& known = exchange_.known();
   lattice_.clear_force();
@@ -84,7 +151,7 @@ void FluidLink::apply(std::span<const double> forces) {
 }
 
 Vec3 FluidLink::external_force() const {
-  return subtract(scale(1.0 / units_.force(), repulsion_.force_of_walls()), force_on_walls_);
+  return subtract(scale(1.0 / units_.force(), contacts_.force_of_walls()), force_on_walls_);
 }
 
 }  // namespace npfem::flow

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "coupling/implicit_coupling.h"
 
+#include <algorithm>
+#include <array>
+
 #include "coupling/ambient_mass.h"
 #include "geometry/vec3.h"
+#include "lattice/compensated_sum.h"
 
 namespace npfem::flow {
 
@@ -17,16 +21,30 @@ ImplicitCoupling::ImplicitCoupling(const CoupledParts& parts) : Coupling(parts) 
 }
 
 CellStepReport ImplicitCoupling::load_fluid() {
-  parts_.fluid.locate(parts_.cells);
-  parts_.fluid.sample(velocity_, contact_);
+  parts_.fluid.locate(parts_.cells, delta_);
+  parts_.fluid.sample(velocity_, contact_, stiffness_);
   parts_.cells.write("ambient_velocity", velocity_);
   parts_.cells.write("external_force", contact_);
+  parts_.cells.write("contact_stiffness", stiffness_);
+  const bool touches = std::any_of(stiffness_.begin(), stiffness_.end(), [](double k) { return k > 0; });
+  if (touches) parts_.cells.read("velocity", before_);
   const Vec3 momentum_before = parts_.cells.solid_momentum();
   CellStepReport report = parts_.cells.step();
   const Vec3 gained = subtract(parts_.cells.solid_momentum(), momentum_before);
   parts_.cells.read("held_force", force_);
-  apply_forces(scale(1.0 / delta_, gained));
+  apply_forces(subtract(touches ? given_way() : Vec3{}, scale(1.0 / delta_, gained)));
   return report;
+}
+
+/// Sum of the loads -k (x - x_n - delta v_n) = -delta k (v - v_n) by which contacts gave way within the step. Unlike
+/// the contact forces themselves they do not come in pairs.
+Vec3 ImplicitCoupling::given_way() {
+  parts_.cells.read("velocity", velocity_);
+  std::array<CompensatedSum, 3> sum;
+  for (std::size_t i = 0; i < velocity_.size(); ++i) {
+    sum[i % 3].add(-delta_ * stiffness_[i / 3] * (velocity_[i] - before_[i]));
+  }
+  return {sum[0].value(), sum[1].value(), sum[2].value()};
 }
 
 }  // namespace npfem::flow

@@ -19,6 +19,11 @@ class ImplicitCoupling final : public Coupling {
  public:
   explicit ImplicitCoupling(const CoupledParts& parts);
   CellStepReport load_fluid() override;
+
+ private:
+  Vec3 given_way();
+
+  std::vector<double> stiffness_, before_;  // own vertices
 };
 
 }  // namespace npfem::flow

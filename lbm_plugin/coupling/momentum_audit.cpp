@@ -32,6 +32,29 @@ void MomentumAudit::count_step(const Lattice& lattice) {
   fluid_scale_.add(body_magnitude_ + norm(walls));
 }
 
+MomentumAudit::Record MomentumAudit::record(Communicator& communicator) const {
+  Record record{impulse_[0].value(), impulse_[1].value(), impulse_[2].value(), start_momentum_[0],   start_momentum_[1],
+                start_momentum_[2],  start_force_[0],     start_force_[1],     start_force_[2],      force_[0],
+                force_[1],           force_[2],           cell_scale_.value(), fluid_scale_.value(), body_magnitude_,
+                cell_magnitude_};
+  communicator.sum(record);
+  return record;
+}
+
+void MomentumAudit::restore(const Record& record) {
+  *this = {};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    impulse_[axis].add(record[axis]);
+    start_momentum_[axis] = record[3 + axis];
+    start_force_[axis] = record[6 + axis];
+    force_[axis] = record[9 + axis];
+  }
+  cell_scale_.add(record[12]);
+  fluid_scale_.add(record[13]);
+  body_magnitude_ = record[14];
+  cell_magnitude_ = record[15];
+}
+
 double MomentumAudit::error(const Lattice& lattice, Communicator& communicator) const {
   const Vec3 momentum = lattice.momentum();
   std::array<double, 5> totals{};

@@ -17,8 +17,9 @@ namespace npfem::flow {
 /// W the impulse of the walls through bounced populations and F the total force held by the lattice. If cells and
 /// coupling keep momentum, F is known without looking at the lattice:
 ///   F = body force * fluid nodes + loads on the vertices from outside - d(sum of m_s v)/dt,
-/// where the loads are the repulsion of walls less what was spread on solid nodes, and the last term is what the cells'
-/// own mass has taken up. Forces inside and between cells must cancel; the audit finds out whether they do. Reported is
+/// where the loads are the contact with walls less what was spread on solid nodes, and that by which contacts gave way
+/// within the step of the cell solver; and the last term is what the cells' own mass has taken up. Forces inside and
+/// between cells must cancel; the audit finds out whether they do. Reported is
 ///   |P(t) - P(0) - sum of these impulses| / sum of |vertex force| * time,
 /// since the start, or over the impulses of body force and walls where there are no cells.
 class MomentumAudit {
@@ -32,6 +33,12 @@ class MomentumAudit {
 
   /// After every step of the fluid.
   void count_step(const Lattice& lattice);
+
+  /// All that the audit knows, added up over the ranks, for one that goes on elsewhere. Collective.
+  using Record = std::array<double, 16>;
+  Record record(Communicator& communicator) const;
+  /// Goes on from a record: given to one rank, zeros to the others.
+  void restore(const Record& record);
 
   /// Collective.
   double error(const Lattice& lattice, Communicator& communicator) const;

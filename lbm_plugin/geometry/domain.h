@@ -3,28 +3,34 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "geometry/box_solid.h"
+#include "geometry/constriction.h"
+#include "geometry/opening.h"
+#include "geometry/slit.h"
+#include "geometry/surface_solid.h"
+#include "geometry/wall_distance.h"
 
 namespace npfem::flow {
-
-using Vec3 = std::array<double, 3>;
 
 /// The space the blood flows in: a box of lattice nodes, some of its directions periodic, bounded by walls.
 ///
 /// Node (i, j, k) stands at ((i + 1/2) dx, (j + 1/2) dx, (k + 1/2) dx), so the box [0, size] is filled by whole cells
-/// of the lattice and half-way bounce-back puts a flat wall exactly on the face of the box.
+/// of the lattice and half-way bounce-back puts a flat wall exactly on the face of the box. A face that is neither
+/// periodic nor an opening is a wall. Further walls are solids in that space, each a signed distance; the nearest
+/// counts.
 enum class DomainKind {
   periodic_box,  ///< no walls
   shear_box,     ///< x and z periodic; plates at y = 0 and y = size_y move along x with -/+ half the relative speed
   plates,        ///< x and z periodic; plates at rest at y = 0 and y = size_y
   tube,          ///< z periodic; round tube along z, axis in the middle of the box
+  vessel,        ///< periodic where `vessel_periodic` says; walls given by the solids
 };
 
-/// Distance to the nearest wall (um, positive inside the fluid) and the unit normal pointing into the fluid.
-struct WallDistance {
-  double distance;
-  Vec3 normal;
-};
+using Solid = std::variant<BoxSolid, SphereSolid, Slit, Constriction, SurfaceSolid>;
 
 struct Domain {
   DomainKind kind = DomainKind::periodic_box;
@@ -32,10 +38,24 @@ struct Domain {
   double dx = 0;               ///< um
   double tube_radius = 0;      ///< um, tube only
   double plate_speed = 0;      ///< um/us: speed of the upper plate relative to the lower one, shear box only
+  int plate_axis = 0;          ///< direction in which the plates of a shear box move, or a flow between plates goes
+  std::array<bool, 3> vessel_periodic{};
+  std::vector<Opening> openings = {};
+  std::vector<Solid> solids = {};
+  double share_of_fluid = 1;  ///< that the solids leave of the space of that kind; see measured_share_of_fluid()
 
   Vec3 size() const { return {nodes[0] * dx, nodes[1] * dx, nodes[2] * dx}; }
   std::array<bool, 3> periodic() const;
-  /// 0: fluid. 1: wall at rest. 2: lower plate. 3: upper plate. Indices one outside the box are asked for too.
+  /// Axis of the flow: z in a tube, else `plate_axis`.
+  std::size_t flow_axis() const { return kind == DomainKind::tube ? 2 : static_cast<std::size_t>(plate_axis); }
+  bool has_walls() const;
+  /// Plates or a tube and nothing else: a channel of the same section everywhere, whose flow is known.
+  bool is_plain_channel() const;
+  /// Numbers into `openings`, by Face; -1: none.
+  std::array<int, 6> opening_of_face() const;
+
+  /// 0: fluid. 1: wall at rest. 2: lower plate. 3: upper plate. 4 + n: beyond opening n. Indices one outside the box
+  /// are asked for too.
   std::uint8_t node_kind(std::array<int, 3> node) const;
   /// Velocity (um/us) of the wall of that kind.
   Vec3 wall_velocity(std::uint8_t kind) const;
@@ -43,5 +63,14 @@ struct Domain {
   /// Volume open to the fluid between the true (not the voxel) walls, um3.
   double fluid_volume() const;
 };
+
+inline constexpr std::uint8_t first_opening_kind = 4;
+
+/// The share of its space that the solids leave to the fluid, by summing over a fine grid; 1 without solids.
+double measured_share_of_fluid(const Domain& domain);
+
+/// Share of the mean velocity at each node of an opening, index u + n v where u and v are the two other axes in order
+/// and n is the number of nodes along the first of them.
+std::vector<double> inlet_profile(const Domain& domain, const Opening& opening);
 
 }  // namespace npfem::flow

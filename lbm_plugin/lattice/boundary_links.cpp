@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "lattice/boundary_links.h"
 
+#include <cmath>
+
 #include "lattice/compensated_sum.h"
 
 namespace npfem::flow {
@@ -55,6 +57,22 @@ double even_equilibrium(int direction, double density_deviation, const Vec3& u) 
   return d3q19::weight(direction) * (density_deviation + 4.5 * cu * cu - 1.5 * uu);
 }
 
+/// What each link of a node beside an inlet lets in, relative to the inlet's velocity. A node at the edge of the inlet
+/// has fewer links to it than others; they let in the more, so that the node gets its share.
+double share_of_node(const NodeMap& nodes, const Boundary& inlet, NodeType type, const Index3& node) {
+  const Vec3& u = inlet.velocity;
+  const double speed = std::hypot(u[0], u[1], u[2]);
+  if (speed == 0) return 0;
+  double weight = 0;
+  for (int i = 1; i < d3q19::kDirections; ++i) {
+    const auto& c = kVelocity[static_cast<std::size_t>(i)];
+    if (nodes.type(node[0] + c[0], node[1] + c[1], node[2] + c[2]) != type) continue;
+    weight += 6.0 * d3q19::weight(i) * std::abs(d3q19::along(i, u)) / speed;
+  }
+  const Index3& first = nodes.own().begin;
+  return inlet.profile(node[0] + first[0], node[1] + first[1], node[2] + first[2]) / weight;
+}
+
 }  // namespace
 
 BoundaryLinks::BoundaryLinks(const NodeMap& nodes, const Geometry& geometry)
@@ -85,11 +103,7 @@ void BoundaryLinks::add_link(const NodeMap& nodes, const Geometry& geometry, con
   const bool up = direction % 2 == 1;
   Link link{population_index(number(up ? beyond : node), up ? direction + 1 : direction), direction, type - 1, 0};
   if (boundary.kind == Boundary::Kind::velocity) {
-    Vec3 half_way;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      half_way[axis] = nodes.own().begin[axis] + 0.5 * (node[axis] + beyond[axis] + 1);
-    }
-    const double share = boundary.profile ? boundary.profile(half_way) : 1.0;
+    const double share = boundary.profile ? share_of_node(nodes, boundary, type, node) : 1.0;
     link.term = 6.0 * d3q19::weight(direction) * d3q19::along(direction, boundary.velocity) * share;
     links_.push_back(link);
     return;

@@ -30,6 +30,8 @@ class BoundaryLinks {
   // Multiplies velocity or density deviation of one boundary from now on: what varies in time.
   void set_factor(int boundary, double factor) { factors_[static_cast<std::size_t>(boundary)] = factor; }
 
+  double factor(int boundary) const { return factors_[static_cast<std::size_t>(boundary)]; }
+
   // Before the collision of the step that `fields` describes: what pressure faces need to know of it.
   template <class Real>
   void look_ahead(const FluidFields<Real>& fields);

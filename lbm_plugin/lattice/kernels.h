@@ -21,14 +21,10 @@
 #include <span>
 
 #include "lattice/d3q19.h"
+#include "lattice/fluid_options.h"
 #include "lattice/node_map.h"
 
 namespace npfem::flow {
-
-enum class Collision : std::uint8_t {
-  two_relaxation_times,  // Ginzburg, Verhaeghe & d'Humieres (2008)
-  regularised,           // Latt & Chopard (2006): only the stress part of the departure from equilibrium survives
-};
 
 inline constexpr std::ptrdiff_t kStripNumbers = 8 * d3q19::kDirections;  // populations of one strip
 
@@ -67,7 +63,7 @@ struct FluidFields {
   Real* velocity;              // none where nothing asks for it
   const std::uint8_t* inside;  // by strip, bit per node: has the second set of rates; none: all have the first
   bool odd_step;
-  Collision collision;
+  bool regularised;
   RelaxationRates rates[2];
   double body_force[3];
 };

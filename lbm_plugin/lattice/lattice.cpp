@@ -33,6 +33,19 @@ LatticeOptions checked(const LatticeOptions& options) {
   return options;
 }
 
+// Without its ghost part the odd departure from equilibrium is nothing: it relaxes at once, magic = (tau - 1/2) / 2.
+RelaxationRates rates_at(const LatticeOptions& options, double tau) {
+  switch (options.collision) {
+    case Collision::bgk:
+      return {tau, bgk_magic(tau)};
+    case Collision::regularised:
+      return {tau, 0.5 * (tau - 0.5)};
+    case Collision::trt:
+      break;
+  }
+  return {tau, options.magic};
+}
+
 // A geometry that fails on one rank fails on all.
 NodeMap agreed_node_map(Communicator& communicator, const Decomposition& decomposition, const Geometry& geometry) {
   std::optional<NodeMap> map;
@@ -75,39 +88,59 @@ Lattice::Lattice(Communicator& communicator, const Decomposition& decomposition,
       links_(nodes_, geometry),
       population_exchange_(communicator, decomposition, nodes_),
       velocity_exchange_(communicator, decomposition, nodes_) {
-  if (options_.precision == FluidPrecision::double_precision) {
+  if (options_.precision == FluidPrecision::in_double) {
     numbers_ = numbers_for<double>(nodes_, options_.node_force);
   } else {
     numbers_ = numbers_for<float>(nodes_, options_.node_force);
   }
   if (options_.inside_tau != 0) inside_.assign(nodes_.strips(), 0);
-  set_wall_velocity(geometry);
+  if (options_.node_force) {
+    find_moving_nodes(geometry);
+    for (int b = 0; b < int(geometry.boundaries.size()); ++b) set_velocity_of_boundary(b, 1.0);
+  }
   initialise([](int, int, int) { return FluidState{}; });
 }
 
-void Lattice::set_wall_velocity(const Geometry& geometry) {
-  if (!options_.node_force) return;
+void Lattice::find_moving_nodes(const Geometry& geometry) {
+  const Index3& first = nodes_.own().begin;
+  for (int iz = -kHalo; iz < nodes_.size(2) + kHalo; ++iz) {
+    for (int iy = -kHalo; iy < nodes_.size(1) + kHalo; ++iy) {
+      for (int ix = -kHalo; ix < nodes_.size(0) + kHalo; ++ix) {
+        const NodeType type = nodes_.type(ix, iy, iz);
+        const NodeNumber node = nodes_.number(ix, iy, iz);
+        if (type == kFluid || node == NodeMap::kNoNode) continue;
+        const Boundary& boundary = geometry.boundaries[std::size_t(type - 1)];
+        if (boundary.kind != Boundary::Kind::velocity || boundary.velocity == Vec3{}) continue;
+        Index3 beside{ix + first[0], iy + first[1], iz + first[2]};  // the node of the grid nearest to it
+        for (int axis = 0; axis < 3; ++axis) {
+          int& i = beside[std::size_t(axis)];
+          i = std::clamp(decomposition_.wrap(axis, i), 0, decomposition_.nodes()[std::size_t(axis)] - 1);
+        }
+        const double share = boundary.profile ? boundary.profile(beside[0], beside[1], beside[2]) : 1.0;
+        const Vec3& u = boundary.velocity;
+        moving_nodes_.push_back({node, type - 1, {share * u[0], share * u[1], share * u[2]}});
+      }
+    }
+  }
+}
+
+void Lattice::set_velocity_of_boundary(int boundary, double factor) {
   visit_numbers([&](auto& numbers) {
     using Real = std::remove_reference_t<decltype(*numbers.velocity.data())>;
-    for (int iz = -kHalo; iz < nodes_.size(2) + kHalo; ++iz) {
-      for (int iy = -kHalo; iy < nodes_.size(1) + kHalo; ++iy) {
-        for (int ix = -kHalo; ix < nodes_.size(0) + kHalo; ++ix) {
-          const NodeType type = nodes_.type(ix, iy, iz);
-          const NodeNumber node = nodes_.number(ix, iy, iz);
-          if (type == kFluid || node == NodeMap::kNoNode) continue;
-          const Boundary& boundary = geometry.boundaries[std::size_t(type - 1)];
-          if (boundary.kind != Boundary::Kind::velocity) continue;
-          const Index3& first = nodes_.own().begin;
-          const double share = boundary.profile
-                                   ? boundary.profile({ix + first[0] + 0.5, iy + first[1] + 0.5, iz + first[2] + 0.5})
-                                   : 1.0;
-          for (std::size_t axis = 0; axis < 3; ++axis) {
-            numbers.velocity.data()[3 * std::size_t(node) + axis] = static_cast<Real>(share * boundary.velocity[axis]);
-          }
-        }
+    for (const MovingNode& moving : moving_nodes_) {
+      if (moving.boundary != boundary) continue;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        numbers.velocity.data()[3 * std::size_t(moving.node) + axis] =
+            static_cast<Real>(factor * moving.velocity[axis]);
       }
     }
   });
+}
+
+void Lattice::set_boundary_factor(int boundary, double factor) {
+  if (links_.factor(boundary) == factor) return;
+  links_.set_factor(boundary, factor);
+  set_velocity_of_boundary(boundary, factor);
 }
 
 void Lattice::initialise(const std::function<FluidState(int ix, int iy, int iz)>& state) {
@@ -127,15 +160,15 @@ void Lattice::initialise(const std::function<FluidState(int ix, int iy, int iz)>
 
 template <class Real>
 FluidFields<Real> Lattice::fields(Numbers<Real>& numbers) const {
-  const RelaxationRates rates(options_.tau, options_.magic);
-  const RelaxationRates inside(options_.inside_tau != 0 ? options_.inside_tau : options_.tau, options_.magic);
+  const RelaxationRates rates = rates_at(options_, options_.tau);
+  const RelaxationRates inside = rates_at(options_, options_.inside_tau != 0 ? options_.inside_tau : options_.tau);
   const Vec3& body = options_.body_force;
   return {numbers.populations.data(),
           numbers.force.data(),
           numbers.velocity.data(),
           inside_.empty() ? nullptr : inside_.data(),
           odd_step_,
-          options_.collision,
+          options_.collision == Collision::regularised,
           {rates, inside},
           {body[0], body[1], body[2]}};
 }

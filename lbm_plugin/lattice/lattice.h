@@ -48,14 +48,12 @@
 
 namespace npfem::flow {
 
-enum class FluidPrecision : std::uint8_t { double_precision, single_precision };
-
 struct LatticeOptions {
-  double tau = 1.0;           // relaxation time of the even part, > 1/2
-  double magic = 3.0 / 16.0;  // (tau_even - 1/2)(tau_odd - 1/2), > 0
-  Vec3 body_force{};          // per node and step
-  Collision collision = Collision::two_relaxation_times;
-  FluidPrecision precision = FluidPrecision::double_precision;
+  double tau = 1.0;                      // relaxation time of the even part, > 1/2
+  double magic = 3.0 / 16.0;             // (tau_even - 1/2)(tau_odd - 1/2), > 0
+  Vec3 body_force{};                     // per node and step
+  Collision collision = Collision::trt;  // bgk and regularised set magic themselves
+  FluidPrecision precision = FluidPrecision::in_double;
   double inside_tau = 0;   // relaxation time of the nodes marked by set_inside(); 0: there are none
   bool node_force = true;  // nodes may hold forces of their own and know their velocity; false: the body force alone
                            // acts, which saves the memory of both
@@ -99,7 +97,7 @@ class Lattice {
   void add_force(int ix, int iy, int iz, double fx, double fy, double fz);
   void set_body_force(const Vec3& force) { options_.body_force = force; }  // from the next clear_force() on
   // Multiplies the velocity, or the density deviation, of a boundary of the geometry from now on.
-  void set_boundary_factor(int boundary, double factor) { links_.set_factor(boundary, factor); }
+  void set_boundary_factor(int boundary, double factor);
   // Own fluid nodes, local indices, whose relaxation time is inside_tau from now on.
   void clear_inside();
   void set_inside(int ix, int iy, int iz);
@@ -166,7 +164,8 @@ class Lattice {
   FluidFields<Real> fields(Numbers<Real>& numbers) const;
   template <class Real>
   void step_with(Numbers<Real>& numbers);
-  void set_wall_velocity(const Geometry& geometry);
+  void find_moving_nodes(const Geometry& geometry);
+  void set_velocity_of_boundary(int boundary, double factor);
   Vec3 node_bare_momentum(int ix, int iy, int iz) const;
 
   Communicator& communicator_;
@@ -179,6 +178,13 @@ class Lattice {
   VectorExchange velocity_exchange_;
   std::variant<Numbers<double>, Numbers<float>> numbers_;
   std::vector<std::uint8_t> inside_;  // by strip, bit per node
+  // Stored nodes of walls and inlets that move, with their velocity at factor 1.
+  struct MovingNode {
+    NodeNumber node;
+    int boundary;
+    Vec3 velocity;
+  };
+  std::vector<MovingNode> moving_nodes_;
   bool odd_step_ = false;
 };
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -57,37 +56,23 @@ std::vector<Row> gather_rows(Communicator& communicator, const std::vector<Row>&
 
 }  // namespace
 
-CellTable::CellTable(Communicator& communicator, std::filesystem::path path, const Setup& setup)
-    : communicator_(communicator), path_(std::move(path)), setup_(setup) {
-  if (communicator_.rank() == 0) {
-    file_.open(path_, std::ios::trunc);
-    file_ << header;
-  }
-  flush();
-}
+CellTable::CellTable(Communicator& communicator, std::filesystem::path path, const Setup& setup,
+                     std::optional<std::int64_t> resumed_at)
+    : communicator_(communicator), setup_(setup), file_(communicator, std::move(path), header, resumed_at) {}
 
 void CellTable::append(std::int64_t step, double time_us, std::span<const CellState> local_cells) {
   std::vector<Row> own;
   for (const CellState& cell : local_cells) own.push_back(row_of(cell, setup_));
+  std::string lines;
   for (const Row& row : gather_rows(communicator_, own)) {
     std::string line = std::to_string(step) + ',' + text::format_number(time_us) + ',' + std::to_string(row.id) + ',' +
                        setup_.types[static_cast<std::size_t>(row.type)].name;
     for (const double number : row.numbers) line += ',' + text::format_number(number);
     line += ',' + std::to_string(row.status) + ',' + std::to_string(row.iterations) + ',' +
             text::format_number(row.residual);
-    file_ << line << '\n';
+    lines += line + '\n';
   }
-  flush();
-}
-
-void CellTable::flush() {
-  std::string failure;
-  if (communicator_.rank() == 0) {
-    errno = 0;
-    file_.flush();
-    if (!file_) failure = "cannot write " + path_.string() + (errno ? std::string(": ") + std::strerror(errno) : "");
-  }
-  communicator_.agree(failure);
+  file_.append(lines);
 }
 
 }  // namespace npfem::flow

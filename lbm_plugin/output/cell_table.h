@@ -3,10 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <optional>
 #include <span>
 
 #include "communicator/communicator.h"
+#include "output/table_file.h"
 #include "simulation/setup.h"
 #include "simulation/simulation.h"
 
@@ -16,19 +17,21 @@ namespace npfem::flow {
 /// its vertices), its volume, area and shape, and how its last step ended.
 class CellTable {
  public:
-  /// Creates the file with its header line. Collective; throws std::runtime_error on every rank where it cannot.
-  CellTable(Communicator& communicator, std::filesystem::path path, const Setup& setup);
+  /// Creates the file with its header line; with `resumed_at` goes on behind the lines up to that step. Collective;
+  /// throws std::runtime_error on every rank where it cannot.
+  CellTable(Communicator& communicator, std::filesystem::path path, const Setup& setup,
+            std::optional<std::int64_t> resumed_at = {});
 
   /// Appends the cells of all ranks and flushes. Collective.
   void append(std::int64_t step, double time_us, std::span<const CellState> local_cells);
 
- private:
-  void flush();
+  /// Of the lines that a resumed run has found; -1 without any.
+  std::int64_t last_step() const { return file_.last_step(); }
 
+ private:
   Communicator& communicator_;
-  std::filesystem::path path_;
   const Setup& setup_;
-  std::ofstream file_;  // open on rank 0
+  TableFile file_;
 };
 
 }  // namespace npfem::flow

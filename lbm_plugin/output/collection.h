@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,12 +14,16 @@ class Collection {
  public:
   explicit Collection(std::filesystem::path path) : path_(std::move(path)) {}
 
+  /// Takes up the entries of the collection that is there whose files are numbered up to `step`, as far as they exist.
+  /// Returns whether one of them is of that step.
+  bool resume(std::int64_t step);
+
   /// Adds a file beside the collection and writes the collection. text::FileError where it cannot.
   void add(double time_us, const std::string& file);
 
  private:
   struct Entry {
-    double time_us;
+    std::string time_us;
     std::string file;
   };
   std::filesystem::path path_;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "output/run_output.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <system_error>
 
+#include "checkpoint/checkpoint_folder.h"
 #include "file.h"
 #include "output/write_cells.h"
 #include "output/write_fluid.h"
@@ -21,7 +23,8 @@ std::string numbered(const char* name, std::int64_t step, const char* ending) {
 
 bool written_by_a_run(std::string file) {
   if (file.ends_with(".part")) file.resize(file.size() - 5);  // of a run that was killed
-  for (const char* whole : {"cells.pvd", "fluid.pvd", "cells.csv", "summary.json", "scene.toml"}) {
+  for (const char* whole :
+       {"cells.pvd", "fluid.pvd", "cells.csv", "rheology.csv", "summary.json", "scene.toml", "view.py"}) {
     if (file == whole) return true;
   }
   const auto framed = [&](const std::string& begin, const std::string& end) {
@@ -36,9 +39,20 @@ bool holds_a_run(const std::filesystem::path& folder) {
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     const std::string file = entry.path().filename().string();
-    if (written_by_a_run(file) && file != "scene.toml" && file != "cells.csv") return true;
+    if (written_by_a_run(file) && file != "scene.toml" && file != "cells.csv" && file != "view.py") return true;
   }
   return false;
+}
+
+void remove_files(const std::filesystem::path& folder, bool (*unwanted)(std::string file)) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::filesystem::path file = entry.path();
+    if (!unwanted(file.filename().string())) continue;
+    if (!std::filesystem::remove(file, error)) {
+      throw text::FileError("cannot remove \"" + file.string() + "\": " + error.message());
+    }
+  }
 }
 
 void remove_earlier_run(const std::filesystem::path& folder) {
@@ -47,13 +61,10 @@ void remove_earlier_run(const std::filesystem::path& folder) {
     throw text::FileError("output folder \"" + folder.string() +
                           "\" holds files but no run that could be replaced; choose another folder");
   }
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const std::filesystem::path file = entry.path();
-    if (!written_by_a_run(file.filename().string())) continue;
-    if (!std::filesystem::remove(file, error)) {
-      throw text::FileError("cannot remove \"" + file.string() + "\": " + error.message());
-    }
-  }
+  remove_files(folder, written_by_a_run);
+  const std::filesystem::path checkpoints = CheckpointFolder(folder).path();
+  remove_files(checkpoints, CheckpointFolder::is_ours);
+  std::filesystem::remove(checkpoints, error);  // unless something else is in it
 }
 
 }  // namespace
@@ -76,7 +87,8 @@ void prepare_output_folder(const std::filesystem::path& folder, bool overwrite) 
   if (error) throw text::FileError("cannot create the folder \"" + folder.string() + "\": " + error.message());
 }
 
-RunOutput::RunOutput(Communicator& communicator, std::filesystem::path folder, const Scene& scene)
+RunOutput::RunOutput(Communicator& communicator, std::filesystem::path folder, const Scene& scene,
+                     std::optional<std::int64_t> resumed_at)
     : communicator_(communicator),
       folder_(std::move(folder)),
       into_box_(scene.output.into_box),
@@ -85,7 +97,15 @@ RunOutput::RunOutput(Communicator& communicator, std::filesystem::path folder, c
       table_{true, scene.output.table_every},
       cells_collection_(folder_ / "cells.pvd"),
       fluid_collection_(folder_ / "fluid.pvd"),
-      cell_table_(communicator, folder_ / "cells.csv", scene.setup) {}
+      cell_table_(communicator, folder_ / "cells.csv", scene.setup, resumed_at),
+      rheology_table_(communicator, folder_ / "rheology.csv", scene.setup, resumed_at) {
+  if (!resumed_at) return;
+  // A checkpoint is written after all output of its step: what there is of that step is whole.
+  const bool first = communicator_.rank() == 0;
+  if (communicator_.any(first && cells_collection_.resume(*resumed_at))) cells_.last = *resumed_at;
+  if (communicator_.any(first && fluid_collection_.resume(*resumed_at))) fluid_.last = *resumed_at;
+  if (std::max(cell_table_.last_step(), rheology_table_.last_step()) == *resumed_at) table_.last = *resumed_at;
+}
 
 void RunOutput::write_due(const Simulation& simulation) {
   const std::int64_t step = simulation.steps_done();
@@ -111,6 +131,8 @@ void RunOutput::write(const Simulation& simulation, bool cells, bool fluid, bool
     }
     if (table) {
       cell_table_.append(step, time, local);
+      // there are no wall forces before the first step
+      if (step > 0) rheology_table_.append(simulation, local);
       table_.last = step;
     }
   }

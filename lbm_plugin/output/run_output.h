@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "communicator/communicator.h"
 #include "output/cell_table.h"
 #include "output/collection.h"
+#include "output/rheology.h"
 #include "scene/scene.h"
 #include "simulation/simulation.h"
 
@@ -16,11 +18,14 @@ namespace npfem::flow {
 /// then the files that an earlier run wrote are removed, and nothing else. text::FileError where it cannot be used.
 void prepare_output_folder(const std::filesystem::path& folder, bool overwrite);
 
-/// The files of a run: cells_*.vtu with cells.pvd, fluid_*.vti with fluid.pvd, cells.csv. Calls are collective and
-/// throw std::runtime_error on every rank where a file cannot be written.
+/// The files of a run: cells_*.vtu with cells.pvd, fluid_*.vti with fluid.pvd, cells.csv, rheology.csv. Calls are
+/// collective and throw std::runtime_error on every rank where a file cannot be written.
 class RunOutput {
  public:
-  RunOutput(Communicator& communicator, std::filesystem::path folder, const Scene& scene);
+  /// With `resumed_at` the files of a run that has come to that step are continued; what it wrote later is dropped
+  /// from tables and collections, and its files are replaced as the run gets there again.
+  RunOutput(Communicator& communicator, std::filesystem::path folder, const Scene& scene,
+            std::optional<std::int64_t> resumed_at = {});
 
   /// Writes what is due after this step.
   void write_due(const Simulation& simulation);
@@ -44,6 +49,7 @@ class RunOutput {
   Schedule cells_, fluid_, table_;
   Collection cells_collection_, fluid_collection_;
   CellTable cell_table_;
+  RheologyTable rheology_table_;
 };
 
 }  // namespace npfem::flow

@@ -63,10 +63,13 @@ std::string to_json(const Summary& s) {
                         {"step", failure.step},
                         {"reason", failure.reason}});
   }
+  nlohmann::ordered_json rheology = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : s.rheology) rheology[name] = value;
   const nlohmann::ordered_json json{
       {"title", s.title},
       {"version", s.version},
       {"interrupted", s.interrupted},
+      {"resumed_from", s.resumed_from ? nlohmann::ordered_json(*s.resumed_from) : nlohmann::ordered_json()},
       {"fluid_failed", s.fluid_failed},
       {"steps", s.steps},
       {"time_us", s.time_us},
@@ -85,6 +88,7 @@ std::string to_json(const Summary& s) {
       {"minimum_gap_um", s.minimum_gap_um},
       {"worst_residual_pN", s.worst_residual_pN},
       {"iterations_per_cell_step", s.iterations_per_cell_step},
+      {"rheology", rheology},
       {"fluid_seconds", s.counters.fluid_seconds},
       {"cell_seconds", s.counters.cell_seconds},
       {"exchange_seconds", s.counters.exchange_seconds},

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "communicator/communicator.h"
@@ -17,8 +19,9 @@ struct Summary {
   std::string version;
   std::int64_t steps = 0;
   double time_us = 0;
-  double wall_s = 0;  ///< of the time loop, output included
-  double mlups = 0;   ///< million updates of fluid nodes per second of wall time
+  double wall_s = 0;  ///< of the time loop, output included; of all jobs of a run that was resumed
+  std::optional<std::int64_t> resumed_from;  ///< step from which the last job went on
+  double mlups = 0;                          ///< million updates of fluid nodes per second of wall time
   double cell_steps_per_s = 0;
   int ranks = 1;
   std::int64_t fluid_nodes = 0;
@@ -32,6 +35,7 @@ struct Summary {
   double minimum_gap_um = 0;
   double worst_residual_pN = 0;
   double iterations_per_cell_step = 0;
+  std::vector<std::pair<std::string, double>> rheology;  ///< on rank 0, see rheology_means()
   Counters counters;
   std::vector<CellFailure> failures;
   std::uint64_t state_hash = 0;

@@ -5,7 +5,9 @@
 #include <numeric>
 
 #include "geometry/cell_shape.h"
+#include "geometry/vec3.h"
 #include "placement/place_cells.h"
+#include "scene/read_parts.h"
 
 namespace npfem::flow {
 namespace {
@@ -18,9 +20,14 @@ api::Mesh mesh_of(const CellsRequest& request, const api::Material& material) {
   return request.mesh_file.empty() ? material.mesh(request.level) : api::Mesh::load(request.mesh_file);
 }
 
+std::string text_of(const api::Material& material) {
+  return api::text_of(
+      [&](char* b, std::int32_t n) { return api::check(npfem_material_to_text(material.handle(), b, n)); });
+}
+
 /// The unloaded cell about the origin: at rest under its own forces, whatever shape its mesh had.
-std::vector<double> relaxed_shape(const api::Model& model, const CellsRequest& request) {
-  api::Batch cell(model, "cpu", 1);
+std::vector<double> relaxed_shape(const api::Model& model, const CellsRequest& request, const std::string& backend) {
+  api::Batch cell(model, backend, 1);
   if (cell.relax() > 0) {
     request.table.fail("material",
                        "a cell \"" + request.name + "\" left alone does not come to rest: " + cell.status_text(0));
@@ -33,20 +40,39 @@ std::vector<double> relaxed_shape(const api::Model& model, const CellsRequest& r
 }
 
 void require_valid_options(const api::Model& model, const Scene& scene) {
-  api::Batch none(model, "cpu", 0);
+  api::Batch none(model, scene.setup.backend, 0);
   for (const auto& [key, value] : scene.solver_options) none.set(key, value);
 }
 
+/// `source` names the key to blame where the next call fails; `record` is what the type is made of, as text.
+api::Model model_of(const CellsRequest& request, const char*& source, std::string& record) {
+  if (!request.body_folder.empty()) {
+    source = "body_folder";
+    record = "body folder, density " + text::format_quantity(request.body_density, "kg/m3") + ", volume weight " +
+             text::format_quantity(request.volume_weight, "uN/m");
+    return api::Model::load_lineage(request.body_folder, request.body_density, request.volume_weight);
+  }
+  const api::Material material = material_of(request);
+  record = text_of(material);
+  if (!request.mesh_file.empty()) source = "mesh";
+  const api::Mesh mesh = mesh_of(request, material);
+  source = "material";
+  return {mesh, material};
+}
+
 CellType make_type(const CellsRequest& request, const Scene& scene) {
-  const char* source = "material";  // what to name where the next call fails
+  const char* source = "material";
+  std::string record;
   try {
-    const api::Material material = material_of(request);
-    if (!request.mesh_file.empty()) source = "mesh";
-    const api::Mesh mesh = mesh_of(request, material);
-    source = "material";
-    const auto model = std::make_shared<const api::Model>(mesh, material);
+    const auto model = std::make_shared<const api::Model>(model_of(request, source, record));
     require_valid_options(*model, scene);
-    return {request.name, model, relaxed_shape(*model, request), model->triangles(), scene.solver_options};
+    return {request.name,
+            model,
+            relaxed_shape(*model, request, scene.setup.backend),
+            model->triangles(),
+            scene.solver_options,
+            record,
+            request.interior_viscosity_ratio};
   } catch (const api::Failure& failure) {
     request.table.fail(source, failure.what());
   }
@@ -66,6 +92,10 @@ std::vector<int> cell_counts(const Scene& scene) {
   const double volume = scene.setup.domain.fluid_volume();
   std::vector<int> counts;
   for (std::size_t type = 0; type < scene.requests.size(); ++type) {
+    if (!scene.cells_file.empty()) {
+      counts.push_back(scene.stored[type].count());
+      continue;
+    }
     const CellsRequest& request = scene.requests[type];
     auto count = static_cast<double>(request.positions.size());
     if (request.haematocrit) count = *request.haematocrit * volume / volume_of(scene.setup.types[type]);
@@ -83,7 +113,55 @@ std::vector<int> cell_counts(const Scene& scene) {
   return counts;
 }
 
+namespace {
+
+std::string at_place(const Vec3& p) {
+  std::string text = "(";
+  for (std::size_t axis = 0; axis < 3; ++axis) text += (axis > 0 ? ", " : "") + text::format_number(rounded(p[axis]));
+  return text + ") um";
+}
+
+/// A cell that starts across a wall would be torn: the fluid beyond it does not move with the rest.
+void require_inside(const Scene& scene, const CellStart& cell, int number) {
+  const Domain& domain = scene.setup.domain;
+  for (std::size_t v = 0; v < cell.positions.size() / 3; ++v) {
+    const Vec3 point{cell.positions[3 * v], cell.positions[3 * v + 1], cell.positions[3 * v + 2]};
+    if (domain.wall_distance(point).distance > 0) continue;
+    scene.document.root()
+        .table("placement")
+        .fail("file", "cell " + std::to_string(number) + " (" +
+                          scene.setup.types[static_cast<std::size_t>(cell.type)].name + ") at " +
+                          at_place(cell.centre) + " reaches beyond a wall at " + at_place(point));
+  }
+}
+
+void place_stored_cells(Scene& scene) {
+  for (std::size_t type = 0; type < scene.stored.size(); ++type) {
+    const StoredCells& stored = scene.stored[type];
+    const CellType& its = scene.setup.types[type];
+    if (stored.vertices != its.model->vertices() || stored.mesh_hash != hash_of_mesh(its.triangles)) {
+      scene.requests[type].table.fail("the cells \"" + stored.name + "\" in \"" + scene.cells_file +
+                                      "\" have another mesh (" + std::to_string(stored.vertices) +
+                                      " vertices) than this type (" + std::to_string(its.model->vertices()) +
+                                      "): take the material and mesh they were made with");
+    }
+    for (int n = 0; n < stored.count(); ++n) {
+      const auto xyz = stored.cell(n);
+      Vec3 centre{};
+      for (std::size_t i = 0; i < xyz.size(); ++i) centre[i % 3] += xyz[i] / stored.vertices;
+      scene.setup.cells.push_back({static_cast<int>(type), centre, identity_rotation, {xyz.begin(), xyz.end()}});
+      require_inside(scene, scene.setup.cells.back(), static_cast<int>(scene.setup.cells.size()) - 1);
+    }
+  }
+}
+
+}  // namespace
+
 PlacementReport place_scene_cells(Scene& scene) {
+  if (!scene.cells_file.empty()) {
+    place_stored_cells(scene);
+    return {};
+  }
   PlacementRequest request;
   request.counts = cell_counts(scene);
   request.gap = scene.gap;

@@ -13,11 +13,6 @@ namespace {
 using text::Key;
 using text::Table;
 
-std::string resolve(const std::string& path, const std::filesystem::path& folder) {
-  const std::filesystem::path given(path);
-  return given.is_absolute() ? path : (folder / given).lexically_normal().string();
-}
-
 void read_positions(const Table& table, int type, CellsRequest& request) {
   for (const Table& entry : table.tables("positions")) {
     const Vec3 centre = entry.vector3(keys::centre);
@@ -26,15 +21,20 @@ void read_positions(const Table& table, int type, CellsRequest& request) {
   }
 }
 
-void read_number_of_cells(const Table& table, const std::vector<CellsRequest>& before, CellsRequest& request) {
+void read_number_of_cells(const Table& table, const Scene& scene, CellsRequest& request) {
+  const std::vector<CellsRequest>& before = scene.requests;
   const bool listed = table.has("positions");
   if (listed) {
+    if (!scene.cells_file.empty()) {
+      table.fail("positions", "\"placement.file\" says where the cells start; give only one of them");
+    }
     refuse(table, {&keys::haematocrit, &keys::count, &keys::ratio, &keys::ratio_to},
            "\"positions\" is given too; give only one of them");
     read_positions(table, static_cast<int>(before.size()), request);
     return;
   }
   const Key* number = one_of(table, {&keys::haematocrit, &keys::count, &keys::ratio});
+  if (!number && !scene.cells_file.empty()) return;
   if (!number) table.fail("one of \"haematocrit\", \"count\", \"ratio\" or \"positions\" is needed");
   if (number != &keys::ratio) refuse(table, {&keys::ratio_to}, "needs \"ratio\" beside it");
   if (number == &keys::haematocrit) request.haematocrit = table.quantity(keys::haematocrit);
@@ -53,25 +53,34 @@ void read_number_of_cells(const Table& table, const std::vector<CellsRequest>& b
 
 }  // namespace
 
-CellsRequest read_cells(const text::Table& table, const std::vector<CellsRequest>& before,
-                        const std::filesystem::path& folder) {
+CellsRequest read_cells(const text::Table& table, const Scene& scene, const std::filesystem::path& folder) {
   CellsRequest request(table);
   request.name = table.text(keys::name);
   if (request.name.empty() || request.name.find_first_of(",\"\n\r") != std::string::npos) {
     table.fail("name", "must not be empty, nor hold a comma, a quote or a line break");
   }
-  for (const CellsRequest& earlier : before) {
+  for (const CellsRequest& earlier : scene.requests) {
     if (earlier.name == request.name) table.fail("name", "another type is called \"" + request.name + "\" already");
   }
+  request.interior_viscosity_ratio = table.quantity(keys::interior_viscosity_ratio);
+  if (&exactly_one_of(table, {&keys::material, &keys::body_folder}) == &keys::body_folder) {
+    refuse(table, {&keys::mesh, &keys::level}, "\"body_folder\" is given too; it holds a mesh");
+    request.body_folder = path_from(table.text(keys::body_folder), folder);
+    if (table.has(keys::body_density)) request.body_density = table.quantity(keys::body_density);
+    if (table.has(keys::volume_weight)) request.volume_weight = table.quantity(keys::volume_weight);
+    read_number_of_cells(table, scene, request);
+    return request;
+  }
+  refuse(table, {&keys::body_density, &keys::volume_weight}, "needs \"body_folder\" beside it");
   request.material = table.text(keys::material);
   request.material_is_file = request.material.find_first_of("./") != std::string::npos;
-  if (request.material_is_file) request.material = resolve(request.material, folder);
-  if (table.has(keys::mesh)) request.mesh_file = resolve(table.text(keys::mesh), folder);
+  if (request.material_is_file) request.material = path_from(request.material, folder);
+  if (table.has(keys::mesh)) request.mesh_file = path_from(table.text(keys::mesh), folder);
   if (table.has(keys::level)) {
     if (!request.mesh_file.empty()) table.fail("level", "\"mesh\" is given too; a mesh file has no level");
     request.level = within(table, keys::level, 1, 6);
   }
-  read_number_of_cells(table, before, request);
+  read_number_of_cells(table, scene, request);
   return request;
 }
 

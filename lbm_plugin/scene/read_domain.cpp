@@ -35,14 +35,33 @@ int nodes_along(const Table& table, const Key& key, double length, double dx) {
   return nodes;
 }
 
+void read_vessel(const Table& table, Domain& domain, const std::filesystem::path& folder) {
+  const std::string directions = table.has(keys::periodic) ? table.choice(keys::periodic) : "none";
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    domain.vessel_periodic[axis] = directions != "none" && directions.find("xyz"[axis]) != std::string::npos;
+  }
+  domain.solids.emplace_back(read_surface(table, domain, folder, true));
+}
+
+void read_kind(const Table& table, Domain& domain) {
+  const std::string kind = table.choice(keys::kind);
+  if (kind == "tube") domain.kind = DomainKind::tube;
+  if (kind == "shear_box") domain.kind = DomainKind::shear_box;
+  if (kind == "plates") domain.kind = DomainKind::plates;
+  if (kind == "vessel") domain.kind = DomainKind::vessel;
+  if (domain.kind != DomainKind::vessel) {
+    refuse(table, {&keys::surface, &keys::surface_unit, &keys::surface_shift, &keys::periodic},
+           "only a vessel has this; for an obstacle take [[domain.solids]]");
+  }
+}
+
 }  // namespace
 
 Domain read_domain(const text::Table& table) {
   Domain domain;
-  const std::string kind = table.choice(keys::kind);
+  read_kind(table, domain);
   domain.dx = table.quantity(keys::dx);
-  if (kind == "tube") {
-    domain.kind = DomainKind::tube;
+  if (domain.kind == DomainKind::tube) {
     refuse(table, {&keys::size}, "a tube has \"diameter\" and \"length\" instead");
     const double diameter = table.quantity(keys::diameter);
     const int across = nodes_along(table, keys::diameter, diameter, domain.dx);
@@ -50,15 +69,19 @@ Domain read_domain(const text::Table& table) {
     domain.tube_radius = 0.5 * across * domain.dx;
     return domain;
   }
-  domain.kind = kind == "shear_box" ? DomainKind::shear_box
-                : kind == "plates"  ? DomainKind::plates
-                                    : DomainKind::periodic_box;
   refuse(table, {&keys::diameter, &keys::length}, "only a tube has this; give \"size\"");
   const Vec3 size = table.vector3(keys::size);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     domain.nodes[axis] = nodes_along(table, keys::size, size[axis], domain.dx);
   }
   return domain;
+}
+
+void read_walls(const text::Table& table, Domain& domain, const std::filesystem::path& folder) {
+  if (domain.kind == DomainKind::vessel) read_vessel(table, domain, folder);
+  for (const Table& solid : table.tables("solids")) domain.solids.push_back(read_solid(solid, domain, folder));
+  domain.share_of_fluid = measured_share_of_fluid(domain);
+  if (domain.share_of_fluid < 1e-6) table.fail("the walls leave no room for the fluid");
 }
 
 }  // namespace npfem::flow

@@ -40,6 +40,11 @@ int within(const Table& table, const Key& key, int least, int largest) {
   return static_cast<int>(value);
 }
 
+std::string path_from(const std::string& path, const std::filesystem::path& folder) {
+  const std::filesystem::path given(path);
+  return given.is_absolute() ? path : (folder / given).lexically_normal().string();
+}
+
 double rounded(double value) {
   if (value == 0 || !std::isfinite(value)) return value;
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2);

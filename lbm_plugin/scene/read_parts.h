@@ -12,14 +12,35 @@
 
 namespace npfem::flow {
 
+/// The box; its openings are read next, and then, with all that known, the walls in it.
 Domain read_domain(const text::Table& table);
+/// Axis of the flow and openings of the box.
+void read_openings(const text::Table& root, Domain& domain);
+/// The wall of a vessel and further solids; `folder` is the scene's.
+void read_walls(const text::Table& table, Domain& domain, const std::filesystem::path& folder);
+/// One [[domain.solids]] table.
+Solid read_solid(const text::Table& table, const Domain& domain, const std::filesystem::path& folder);
+/// A wall from an STL file.
+SurfaceSolid read_surface(const text::Table& table, const Domain& domain, const std::filesystem::path& folder,
+                          bool fluid_inside);
+/// The factor in time; needs the kind of driving.
+Signal read_waveform(const text::Table& table);
 /// Density, viscosity and time step; needs the domain.
 void read_fluid(const text::Table& table, Setup& setup);
-/// What drives the fluid; needs domain and fluid.
-void read_flow(const text::Table& table, Scene& scene);
-/// One [[cells]] table; `before` are those that stand before it, `folder` is the scene's.
-CellsRequest read_cells(const text::Table& table, const std::vector<CellsRequest>& before,
-                        const std::filesystem::path& folder);
+/// What drives the fluid, and how; needs domain and fluid.
+void read_flow(const text::Table& root, Scene& scene);
+/// Seed, gap and cells file; `folder` is the scene's.
+void read_placement(const text::Table& table, Scene& scene, const std::filesystem::path& folder);
+/// One [[cells]] table, of which `scene` has those that stand before it; needs the placement.
+CellsRequest read_cells(const text::Table& table, const Scene& scene, const std::filesystem::path& folder);
+/// The cells of the cells file, where there is one, to the types that the scene lists.
+void match_stored_cells(const text::Table& placement, Scene& scene);
+
+/// What acts between surfaces that touch; needs domain and cells.
+void read_contact(const text::Table& table, Scene& scene);
+
+/// A path of a scene file, as seen from the working directory.
+std::string path_from(const std::string& path, const std::filesystem::path& folder);
 
 /// The one key of `keys` that is given; nullptr where none is. Two are an error.
 const text::Key* one_of(const text::Table& table, std::initializer_list<const text::Key*> keys);

@@ -27,27 +27,27 @@ void expect(const Table& table, const std::string& path) {
 void require_known_keys(const Table& root) {
   expect(root, "");
   for (const char* section :
-       {"domain", "fluid", "flow", "placement", "coupling", "repulsion", "solver", "run", "output"}) {
+       {"domain", "fluid", "flow", "placement", "coupling", "contact", "solver", "run", "output"}) {
     if (root.has(section)) expect(root.table(section), section);
   }
+  for (const Table& solid : root.table("domain").tables("solids")) expect(solid, "domain.solids");
+  for (const Table& opening : root.tables("openings")) expect(opening, "openings");
+  if (root.table("flow").has("waveform")) expect(root.table("flow").table("waveform"), "flow.waveform");
   for (const Table& cells : root.tables("cells")) {
     expect(cells, "cells");
     for (const Table& position : cells.tables("positions")) expect(position, "cells.positions");
   }
+  if (root.has("contact")) {
+    for (const Table& pair : root.table("contact").tables("pairs")) expect(pair, "contact.pairs");
+  }
   root.finish();
 }
 
-RepulsionSettings read_repulsion(const Table& table, const Key& range, const Key& strength, double dx) {
-  const RepulsionSettings repulsion{table.has(range) ? table.quantity(range) : dx, table.quantity(strength)};
-  if (repulsion.range > 2 * dx) {
-    table.fail(range.name, format_quantity(repulsion.range, "um") + " is more than two node spacings (" +
-                               format_quantity(2 * dx, "um") + "), the largest range supported");
-  }
-  return repulsion;
-}
-
 void read_coupling(const Table& table, Setup& setup) {
-  setup.coupling.scheme = table.choice(keys::scheme) == "implicit" ? CouplingScheme::implicit : CouplingScheme::peskin;
+  const std::string scheme = table.choice(keys::scheme);
+  setup.coupling.scheme = scheme == "implicit" ? CouplingScheme::implicit
+                          : scheme == "peskin" ? CouplingScheme::peskin
+                                               : CouplingScheme::lineage;
   setup.coupling.kernel_points = within(table, keys::kernel, 2, 4);
   setup.coupling.steps_per_solve = within(table, keys::cell_every, 1, 1000);
 }
@@ -92,30 +92,31 @@ OutputSettings read_output(const Table& table, double time_step) {
   output.fluid_every = whole_steps(table, keys::fluid_every, time_step);
   output.table_every = whole_steps(table, keys::table_every, time_step);
   output.into_box = table.boolean(keys::into_box);
+  output.checkpoint_every = table.integer(keys::checkpoint_every);
+  output.checkpoint_keep = within(table, keys::checkpoint_keep, 1, 1000000);
   return output;
 }
 
 Scene read(text::Document document, const std::filesystem::path& folder, const std::vector<std::string>& assignments) {
   for (const std::string& assignment : assignments) document.set(assignment);
   Scene scene(std::move(document));
+  scene.folder = folder;
   const Table root = scene.document.root();
   require_known_keys(root);
   if (root.integer(keys::schema_version) != 1) root.fail("schema_version", "this program reads version 1 only");
   scene.title = root.text(keys::title);
   Setup& setup = scene.setup;
   setup.domain = read_domain(root.table("domain"));
+  read_openings(root, setup.domain);
+  read_walls(root.table("domain"), setup.domain, folder);
   read_fluid(root.table("fluid"), setup);
-  read_flow(root.table("flow"), scene);
-  for (const Table& cells : root.tables("cells")) {
-    scene.requests.push_back(read_cells(cells, scene.requests, folder));
-  }
+  read_flow(root, scene);
   const Table placement = root.table("placement");
-  scene.seed = static_cast<std::uint64_t>(placement.integer(keys::seed));
-  scene.gap = placement.quantity(keys::gap);
+  read_placement(placement, scene, folder);
+  for (const Table& cells : root.tables("cells")) scene.requests.push_back(read_cells(cells, scene, folder));
+  match_stored_cells(placement, scene);
   read_coupling(root.table("coupling"), setup);
-  const Table repulsion = root.table("repulsion");
-  setup.cell_repulsion = read_repulsion(repulsion, keys::range, keys::strength, setup.domain.dx);
-  setup.wall_repulsion = read_repulsion(repulsion, keys::wall_range, keys::wall_strength, setup.domain.dx);
+  read_contact(root.table("contact"), scene);
   scene.solver_options = read_solver(root.table("solver"));
   scene.steps = read_steps(root.table("run"), setup.time_step);
   scene.output = read_output(root.table("output"), setup.time_step);
@@ -125,14 +126,26 @@ Scene read(text::Document document, const std::filesystem::path& folder, const s
 }  // namespace
 
 std::string resolved_text(Scene& scene) {
+  const auto quoted = [](const std::string& file) {
+    return std::string("'").append(std::filesystem::absolute(file).lexically_normal().string()).append("'");
+  };
   for (std::size_t i = 0; i < scene.requests.size(); ++i) {
     const CellsRequest& request = scene.requests[i];
     const std::string path = "cells[" + std::to_string(i) + "].";
-    const auto quoted = [](const std::string& file) {
-      return std::string("'").append(std::filesystem::absolute(file).lexically_normal().string()).append("'");
-    };
     if (request.material_is_file) scene.document.set(path + "material", quoted(request.material));
     if (!request.mesh_file.empty()) scene.document.set(path + "mesh", quoted(request.mesh_file));
+    if (!request.body_folder.empty()) scene.document.set(path + "body_folder", quoted(request.body_folder));
+  }
+  if (!scene.cells_file.empty()) scene.document.set("placement.file", quoted(scene.cells_file));
+  const Table domain = scene.document.root().table("domain");
+  if (domain.has(keys::surface)) {
+    scene.document.set("domain.surface", quoted(path_from(domain.text(keys::surface), scene.folder)));
+  }
+  const std::vector<Table> solids = domain.tables("solids");
+  for (std::size_t n = 0; n < solids.size(); ++n) {
+    if (!solids[n].has(keys::surface)) continue;
+    scene.document.set("domain.solids[" + std::to_string(n) + "].surface",
+                       quoted(path_from(solids[n].text(keys::surface), scene.folder)));
   }
   return scene.document.to_toml();
 }

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "placement/cells_file.h"
 #include "simulation/setup.h"
 #include "toml_reader.h"
 
@@ -18,8 +20,12 @@ struct CellsRequest {
   std::string name;
   std::string material;  ///< preset, or path from the working directory
   bool material_is_file = false;
-  std::string mesh_file;  ///< empty: the shape of the material
-  int level = -1;         ///< -1: that of the material
+  std::string mesh_file;       ///< empty: the shape of the material
+  int level = -1;              ///< -1: that of the material
+  std::string body_folder;     ///< of Palabos-npFEM, instead of material and mesh; empty: none
+  double body_density = 0;     ///< fg/um3, of that body beyond the fluid it holds
+  double volume_weight = 250;  ///< pN/um, of that body
+  double interior_viscosity_ratio = 1;
   std::optional<double> haematocrit;
   std::optional<int> count;
   std::optional<double> ratio;  ///< cells per cell of the type `ratio_to`
@@ -34,6 +40,8 @@ struct OutputSettings {
   // fluid steps between outputs; 0: at the start and the end only
   std::int64_t cells_every = 0, fluid_every = 0, table_every = 0;
   bool into_box = true;
+  std::int64_t checkpoint_every = 0;  ///< fluid steps; 0: only when the run is stopped
+  int checkpoint_keep = 2;
 };
 
 /// A scene file, read and checked as far as that goes without making any cell.
@@ -41,12 +49,15 @@ struct Scene {
   explicit Scene(text::Document read) : document(std::move(read)) {}
 
   text::Document document;
+  std::filesystem::path folder;  ///< that its paths start from
   std::string title;
   Setup setup;  ///< all but types and cells
   std::vector<CellsRequest> requests;
   std::vector<std::pair<std::string, double>> solver_options;
   std::uint64_t seed = 1;
   double gap = 0;
+  std::string cells_file;           ///< empty: cells are placed as the requests say
+  std::vector<StoredCells> stored;  ///< with a cells file: its cells, by request
   std::int64_t steps = 0;
   OutputSettings output;
   double largest_velocity = 0;    ///< um/us, of the steady flow without cells

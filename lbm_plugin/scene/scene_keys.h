@@ -25,12 +25,14 @@ inline constexpr Key title{.name = "title",
                            .doc = "One line about the scene, repeated in the summary."};
 
 // [domain]
-inline constexpr Key kind{.name = "kind",
-                          .kind = Kind::choice,
-                          .choices = "tube shear_box plates periodic_box",
-                          .doc =
-                              "`tube`: round, along z, periodic in z. `shear_box`: plates at y = 0 and y = size moving "
-                              "along x, periodic in x and z. `plates`: the same at rest. `periodic_box`: no walls."};
+inline constexpr Key kind{
+    .name = "kind",
+    .kind = Kind::choice,
+    .choices = "tube shear_box plates periodic_box vessel",
+    .doc =
+        "`tube`: round, along z, periodic in z. `shear_box`: plates at y = 0 and y = size that slide past each "
+        "other, periodic in x and z. `plates`: the same at rest. `periodic_box`: no walls. `vessel`: the inside of "
+        "the STL surface `surface`."};
 inline constexpr Key size{.name = "size",
                           .kind = Kind::vector3,
                           .dimension = Dimension::length(),
@@ -49,6 +51,100 @@ inline constexpr Key length{.name = "length",
                             .doc = "Of the tube. A whole multiple of `dx`."};
 inline constexpr Key dx{
     .name = "dx", .dimension = Dimension::length(), .range = Range::positive, .doc = "Distance of the lattice nodes."};
+
+inline constexpr Key surface{
+    .name = "surface",
+    .kind = Kind::text,
+    .fallback = optional,
+    .doc =
+        "Path of an STL file, from the scene. Of a vessel: its wall, inside the box from (0, 0, 0) to `size`, closed, "
+        "or ending on faces of the box that are periodic or openings. Of a solid: its closed surface."};
+inline constexpr Key surface_unit{.name = "surface_unit",
+                                  .dimension = Dimension::length(),
+                                  .range = Range::positive,
+                                  .fallback = "1 um",
+                                  .doc = "Length that 1 in the STL file stands for."};
+inline constexpr Key surface_shift{.name = "surface_shift",
+                                   .kind = Kind::vector3,
+                                   .dimension = Dimension::length(),
+                                   .fallback = "[\"0 um\", \"0 um\", \"0 um\"]",
+                                   .doc = "Added to the positions of the STL file."};
+inline constexpr Key periodic{.name = "periodic",
+                              .kind = Kind::choice,
+                              .choices = "none x y z xy xz yz xyz",
+                              .fallback = optional,
+                              .doc = "Periodic directions of a vessel. Default: `none`."};
+
+// [[domain.solids]]
+inline constexpr Key shape{
+    .name = "shape",
+    .kind = Kind::choice,
+    .choices = "box sphere slit constriction surface",
+    .doc =
+        "`box` (`centre`, `size`), `sphere` (`centre`, `diameter`), `surface` (an STL body): obstacles. `slit`: a "
+        "wall across the flow with a rectangular opening in its middle. `constriction`: a tube or plates that narrow "
+        "smoothly, by a whole wave of a cosine."};
+inline constexpr Key solid_centre{.name = "centre",
+                                  .kind = Kind::vector3,
+                                  .dimension = Dimension::length(),
+                                  .fallback = optional,
+                                  .doc = "Of a box or sphere."};
+inline constexpr Key solid_size{.name = "size",
+                                .kind = Kind::vector3,
+                                .dimension = Dimension::length(),
+                                .range = Range::positive,
+                                .fallback = optional,
+                                .doc = "Of a box."};
+inline constexpr Key solid_diameter{.name = "diameter",
+                                    .dimension = Dimension::length(),
+                                    .range = Range::positive,
+                                    .fallback = optional,
+                                    .doc = "Of a sphere."};
+inline constexpr Key at{.name = "at",
+                        .dimension = Dimension::length(),
+                        .fallback = optional,
+                        .doc = "Where along the flow a slit or constriction has its middle. Default: half-way."};
+inline constexpr Key solid_length{.name = "length",
+                                  .dimension = Dimension::length(),
+                                  .range = Range::positive,
+                                  .fallback = optional,
+                                  .doc = "Of the passage of a slit, or of the whole constriction, along the flow."};
+inline constexpr Key width{.name = "width",
+                           .dimension = Dimension::length(),
+                           .range = Range::positive,
+                           .fallback = optional,
+                           .doc =
+                               "Of a slit, along y; of the throat of a constriction: its diameter in a tube, else the "
+                               "distance of the walls."};
+inline constexpr Key depth{.name = "depth",
+                           .dimension = Dimension::length(),
+                           .range = Range::positive,
+                           .fallback = optional,
+                           .doc = "Of a slit, across flow and width. Default: through the whole box."};
+
+// [[openings]]
+inline constexpr Key face{.name = "face",
+                          .kind = Kind::choice,
+                          .choices = "x- x+ y- y+ z- z+",
+                          .doc = "Of the box: at its low (-) or high (+) end."};
+inline constexpr Key opening_kind{
+    .name = "kind", .kind = Kind::choice, .choices = "velocity pressure", .doc = "What is given there."};
+inline constexpr Key velocity{.name = "velocity",
+                              .dimension = Dimension::velocity(),
+                              .fallback = optional,
+                              .doc = "Mean over the fluid nodes of the face, into the box; negative: out of it."};
+inline constexpr Key profile{
+    .name = "profile",
+    .kind = Kind::choice,
+    .choices = "developed plug",
+    .fallback = optional,
+    .doc =
+        "Of the velocity. `developed` (default): of the steady flow along a channel of the section's shape, parabolic "
+        "in a tube and between plates. `plug`: the same everywhere."};
+inline constexpr Key pressure{.name = "pressure",
+                              .dimension = Dimension::stress(),
+                              .fallback = optional,
+                              .doc = "Above that of the fluid at rest. Default: 0 Pa."};
 
 // [fluid]
 inline constexpr Key density{.name = "density",
@@ -82,6 +178,20 @@ inline constexpr Key magic_parameter{
     .fallback = "0.1875",
     .doc = "Of the two-relaxation-time collision; 3/16 puts flat walls exactly half-way."};
 
+inline constexpr Key collision{
+    .name = "collision",
+    .kind = Kind::choice,
+    .choices = "trt bgk regularised",
+    .fallback = "trt",
+    .doc =
+        "`trt`: two relaxation times, walls in place at any relaxation time. `bgk`: one. `regularised`: one, of "
+        "populations rebuilt from their moments."};
+inline constexpr Key fluid_precision{.name = "precision",
+                                     .kind = Kind::choice,
+                                     .choices = "double float",
+                                     .fallback = "double",
+                                     .doc = "Numbers of the fluid."};
+
 // [flow]
 inline constexpr Key shear_rate{.name = "shear_rate",
                                 .dimension = Dimension::rate(),
@@ -105,17 +215,42 @@ inline constexpr Key pressure_gradient{.name = "pressure_gradient",
                                        .range = Range::non_negative,
                                        .fallback = optional,
                                        .doc = "The same, by the pressure drop per length."};
+inline constexpr Key axis{.name = "axis",
+                          .kind = Kind::choice,
+                          .choices = "x y z",
+                          .fallback = optional,
+                          .doc = "Direction of the flow. Default: x; in a tube always z."};
 inline constexpr Key start{.name = "start",
                            .kind = Kind::choice,
                            .choices = "rest developed",
                            .fallback = "rest",
                            .doc = "The fluid starts at `rest`, or in the steady flow without cells (`developed`)."};
 
+// [flow.waveform]
+inline constexpr Key period{
+    .name = "period", .dimension = Dimension::time(), .range = Range::positive, .doc = "Of the beat."};
+inline constexpr Key mean{.name = "mean", .fallback = optional, .doc = "Of the factor. Default: 1."};
+inline constexpr Key amplitude{
+    .name = "amplitude", .fallback = optional, .doc = "Of a factor mean + amplitude sin(2 pi t/period + phase)."};
+inline constexpr Key phase{
+    .name = "phase", .dimension = Dimension::angle(), .fallback = optional, .doc = "Default: 0 deg."};
+inline constexpr Key times{.name = "times",
+                           .kind = Kind::quantities,
+                           .dimension = Dimension::time(),
+                           .range = Range::non_negative,
+                           .fallback = optional,
+                           .doc = "Ascending, below `period`; instead of `amplitude`."};
+inline constexpr Key factors{.name = "factors",
+                             .kind = Kind::quantities,
+                             .fallback = optional,
+                             .doc = "At those times, joined by straight lines."};
+
 // [[cells]]
 inline constexpr Key name{.name = "name", .kind = Kind::text, .doc = "Of this type of cell."};
 inline constexpr Key material{
     .name = "material",
     .kind = Kind::text,
+    .fallback = optional,
     .doc = "A preset (`rbc`, `platelet`, ...) or the path of a material file, from the scene."};
 inline constexpr Key level{
     .name = "level",
@@ -128,6 +263,27 @@ inline constexpr Key mesh{
     .kind = Kind::text,
     .fallback = optional,
     .doc = "Path of a mesh file (.off .obj .stl .ply, um), from the scene. Default: the material's shape."};
+inline constexpr Key body_folder{
+    .name = "body_folder",
+    .kind = Kind::text,
+    .fallback = optional,
+    .doc =
+        "Path of a body folder of Palabos-npFEM (points.csv, ...), from the scene: mesh and energies in one, instead "
+        "of `material`."};
+inline constexpr Key body_density{.name = "body_density",
+                                  .dimension = Dimension::density(),
+                                  .range = Range::non_negative,
+                                  .fallback = optional,
+                                  .doc = "With `body_folder`: of the body beyond the fluid it holds. Default: 0."};
+inline constexpr Key volume_weight{.name = "volume_weight",
+                                   .dimension = Dimension::surface_modulus(),
+                                   .range = Range::non_negative,
+                                   .fallback = optional,
+                                   .doc = "With `body_folder`: of its term that keeps the volume. Default: 250 uN/m."};
+inline constexpr Key interior_viscosity_ratio{.name = "interior_viscosity_ratio",
+                                              .range = Range::positive,
+                                              .fallback = "1",
+                                              .doc = "Viscosity of the fluid inside over that outside."};
 inline constexpr Key haematocrit{
     .name = "haematocrit",
     .range = Range::fraction,
@@ -168,15 +324,22 @@ inline constexpr Key gap{.name = "gap",
                          .range = Range::non_negative,
                          .fallback = "0.3 um",
                          .doc = "Least distance between the surfaces of cells placed at random, and to the walls."};
+inline constexpr Key file{.name = "file",
+                          .kind = Kind::text,
+                          .fallback = optional,
+                          .doc =
+                              "Path of a cells file, from the scene: every cell starts as it stands there, deformed. "
+                              "The numbers of cells in `[[cells]]` are then not used and may be left out."};
 
 // [coupling]
 inline constexpr Key scheme{
     .name = "scheme",
     .kind = Kind::choice,
-    .choices = "implicit peskin",
+    .choices = "implicit peskin lineage",
     .fallback = "implicit",
     .doc =
-        "`implicit`: stable for any stiffness of the membrane. `peskin`: explicit, the yardstick while it is stable."};
+        "`implicit`: stable for any stiffness of the membrane. `peskin`: explicit, the yardstick while it is stable. "
+        "`lineage`: as in Palabos-npFEM, for comparison."};
 inline constexpr Key kernel{.name = "kernel",
                             .kind = Kind::integer,
                             .range = Range::positive,
@@ -188,29 +351,65 @@ inline constexpr Key cell_every{.name = "cell_every",
                                 .fallback = "1",
                                 .doc = "Fluid steps per step of the cell solver."};
 
-// [repulsion]
+// [contact]
 inline constexpr Key range{
     .name = "range",
     .dimension = Dimension::length(),
     .range = Range::non_negative,
     .fallback = optional,
-    .doc = "Distance of two vertices of different cells below which they repel; 0: never. Default: `dx`."};
+    .doc = "Distance between the surfaces of two cells below which they repel; 0: never. Default: `dx`."};
 inline constexpr Key strength{.name = "strength",
-                              .dimension = Dimension::force(),
+                              .dimension = Dimension::stress(),
                               .range = Range::non_negative,
-                              .fallback = "2 pN",
-                              .doc = "Force between two vertices at contact, falling as (1 - distance/range)^2."};
+                              .fallback = "20 Pa",
+                              .doc = "Pressure between two surfaces at touch, falling as (1 - distance/range)^2."};
 inline constexpr Key wall_range{
     .name = "wall_range",
     .dimension = Dimension::length(),
     .range = Range::non_negative,
     .fallback = optional,
-    .doc = "Distance of a vertex from a wall below which the wall repels it; 0: never. Default: `dx`."};
+    .doc = "Distance between a cell and a wall below which the wall repels it; 0: never. Default: `dx`."};
 inline constexpr Key wall_strength{.name = "wall_strength",
-                                   .dimension = Dimension::force(),
+                                   .dimension = Dimension::stress(),
                                    .range = Range::non_negative,
-                                   .fallback = "2 pN",
-                                   .doc = "Force between a vertex and a wall at contact."};
+                                   .fallback = "20 Pa",
+                                   .doc = "Pressure between a cell and a wall at touch."};
+inline constexpr Key attraction{
+    .name = "attraction",
+    .dimension = Dimension::surface_modulus(),
+    .range = Range::non_negative,
+    .fallback = "0 uN/m",
+    .doc = "Work per area (1 uN/m = 1 uJ/m2) of parting two cells, by a Morse attraction beyond `range`: aggregation."};
+inline constexpr Key attraction_width{.name = "attraction_width",
+                                      .dimension = Dimension::length(),
+                                      .range = Range::positive,
+                                      .fallback = "0.1 um",
+                                      .doc = "Width of that attraction, which ends four widths beyond `range`."};
+
+// [[contact.pairs]]
+inline constexpr Key first{.name = "first", .kind = Kind::text, .doc = "Name of a type of cells."};
+inline constexpr Key second{
+    .name = "second", .kind = Kind::text, .doc = "Name of a type of cells, the same or another, or `wall`."};
+inline constexpr Key pair_range{.name = "range",
+                                .dimension = Dimension::length(),
+                                .range = Range::non_negative,
+                                .fallback = optional,
+                                .doc = "Between these, in place of that of `[contact]`; so are the others."};
+inline constexpr Key pair_strength{.name = "strength",
+                                   .dimension = Dimension::stress(),
+                                   .range = Range::non_negative,
+                                   .fallback = optional,
+                                   .doc = "Pressure at touch."};
+inline constexpr Key pair_attraction{.name = "attraction",
+                                     .dimension = Dimension::surface_modulus(),
+                                     .range = Range::non_negative,
+                                     .fallback = optional,
+                                     .doc = "Work per area of parting them: aggregation, or adhesion to a wall."};
+inline constexpr Key pair_attraction_width{.name = "attraction_width",
+                                           .dimension = Dimension::length(),
+                                           .range = Range::positive,
+                                           .fallback = optional,
+                                           .doc = "Width of that attraction."};
 
 // [solver]
 inline constexpr Key tolerance{.name = "tolerance",
@@ -282,6 +481,19 @@ inline constexpr Key into_box{.name = "into_box",
                               .doc =
                                   "Cell files show each cell whole, moved by whole periods so that its middle lies in "
                                   "the box. `false`: where it has travelled to."};
+
+inline constexpr Key checkpoint_every{
+    .name = "checkpoint_every",
+    .kind = Kind::integer,
+    .range = Range::non_negative,
+    .fallback = "0",
+    .doc = "Fluid steps between checkpoints, from which `npfem resume` goes on; 0: only when the run is stopped."};
+inline constexpr Key checkpoint_keep{.name = "checkpoint_keep",
+                                     .kind = Kind::integer,
+                                     .range = Range::positive,
+                                     .fallback = "2",
+                                     .doc = "Checkpoints that are kept, the newest ones. There must be room for one "
+                                            "more: an old one goes when the new one is complete."};
 
 }  // namespace npfem::flow::keys
 

@@ -7,8 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "contact/contact_law.h"
 #include "geometry/domain.h"
+#include "lattice/fluid_options.h"
 #include "npfem/npfem.hpp"
+#include "simulation/signal.h"
 
 namespace npfem::flow {
 
@@ -19,6 +22,8 @@ struct CellType {
   std::vector<double> shape;  ///< xyz of the relaxed, unloaded cell about the origin, um
   std::vector<std::int32_t> triangles;
   std::vector<std::pair<std::string, double>> options;  ///< numbers set on every batch of this type (npfem_set_f64)
+  std::string material;  ///< as text, for the record: what a checkpoint knows the type by, besides its model
+  double interior_viscosity_ratio = 1;  ///< viscosity of the fluid inside over that outside
 };
 
 /// Where one cell starts: its shape turned by `rotation` (row-major), then moved to `centre` (um).
@@ -26,11 +31,14 @@ struct CellStart {
   int type;
   Vec3 centre;
   std::array<double, 9> rotation;
+  /// xyz of every vertex, um, unwrapped: a cell that starts deformed. Empty: the shape of its type, turned and moved.
+  std::vector<double> positions = {};
 };
 
 enum class CouplingScheme {
   implicit,  ///< ambient mass in the cell solver's implicit step, incremental form: stable for any stiffness
   peskin,    ///< explicit forces, vertices move with the fluid: the yardstick while it is stable
+  lineage,   ///< stress sampling and direct forcing as in Palabos-npFEM, for comparison
 };
 
 struct CouplingSettings {
@@ -39,10 +47,19 @@ struct CouplingSettings {
   int steps_per_solve = 1;  ///< fluid steps per step of the cell solver (k)
 };
 
-/// Smooth repulsion that keeps surfaces apart: force strength * (1 - d/range)^2 at distance d < range.
-struct RepulsionSettings {
-  double range = 0;     ///< um; 0 switches it off; at most two node spacings
-  double strength = 0;  ///< pN per vertex pair at contact
+/// What acts between two types of cell, or between a type and the walls, in place of the default.
+struct PairContact {
+  static constexpr int wall = -1;
+  int first;   ///< index into Setup::types
+  int second;  ///< the same, or `wall`
+  ContactLaw law;
+};
+
+/// Forces between surfaces nearer to each other than the lattice resolves; see contact/contacts.h.
+struct ContactSettings {
+  ContactLaw cells;                ///< between two cells
+  ContactLaw walls;                ///< between a cell and a wall
+  std::vector<PairContact> pairs;  ///< exceptions
 };
 
 /// Everything a coupled run needs, in um, us, fg: what a scene file is turned into.
@@ -52,12 +69,15 @@ struct Setup {
   double density = 0;              ///< fg/um3
   double kinematic_viscosity = 0;  ///< um2/us
   Vec3 body_force{};               ///< pN/um3, drives the flow
+  Signal waveform = {};            ///< of the body force, and of the velocities of plates and inlets
   double magic_parameter = 3.0 / 16.0;
+  Collision collision = Collision::trt;
+  FluidPrecision fluid_precision = FluidPrecision::in_double;
   bool start_developed =
       false;  ///< start from the steady flow without cells (Couette, Poiseuille) instead of from rest
   CouplingSettings coupling;
-  RepulsionSettings cell_repulsion;
-  RepulsionSettings wall_repulsion;
+  ContactSettings contact;
+  std::string backend = "cpu";  ///< of the cell solver; "cpu": the best instruction set that all ranks have
   std::vector<CellType> types;
   std::vector<CellStart> cells;  ///< the index is the cell's global id
 };

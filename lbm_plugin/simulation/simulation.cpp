@@ -5,45 +5,59 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <set>
 #include <span>
 
+#include "checkpoint/cell_section.h"
+#include "checkpoint/checkpoint_header.h"
+#include "checkpoint/fluid_section.h"
 #include "contact/minimum_gap.h"
 #include "coupling/coupling.h"
 #include "coupling/stopwatch.h"
 #include "geometry/cell_shape.h"
 #include "geometry/vec3.h"
+#include "simulation/agreed_backend.h"
 #include "simulation/start.h"
 
 namespace npfem::flow {
 namespace {
 
-const Setup& checked(const Setup& setup) {
+Setup checked(Setup setup, Communicator& communicator) {
   require_sound(setup);
+  setup.backend = agreed_backend(communicator, setup.backend);
   return setup;
+}
+
+CellPopulation make_cells(const Setup& setup, Communicator& communicator, const Decomposition& decomposition,
+                          bool placed) {
+  const double delta = setup.coupling.steps_per_solve * setup.time_step;
+  return placed ? CellPopulation(setup, communicator, decomposition, delta)
+                : CellPopulation::without_cells(setup, communicator, decomposition, delta);
 }
 
 Units units_of(const Setup& setup) {
   return {setup.domain.dx, setup.time_step, setup.density};
 }
 
-double cell_time_step(const Setup& setup) {
-  return setup.coupling.steps_per_solve * setup.time_step;
-}
-
 }  // namespace
 
 struct Simulation::State {
-  State(const Setup& given, Communicator& group)
-      : setup(checked(given)),
+  State(const Setup& given, Communicator& group, bool place_cells)
+      : setup(checked(given, group)),
         communicator(group),
         units(units_of(setup)),
         decomposition(setup.domain.nodes, setup.domain.periodic(), group.size()),
         lattice(group, decomposition, lattice_geometry(setup.domain, units), lattice_options(setup, units)),
-        cells(setup, group, decomposition, cell_time_step(setup)),
-        fluid(setup, units, group, lattice) {}
+        cells(make_cells(setup, group, decomposition, place_cells)) {
+    if (!setup.cells.empty()) link.emplace(setup, units, group, lattice);
+  }
 
   void start();
+  void drive();
+  void set_driving(std::int64_t step);
+  void restore(CheckpointFile& file, const CheckpointHeader& header);
+  void make_coupling();
   void load_fluid();
   void record(const CellStepReport& report);
   void record_failures(const std::vector<LocalFailure>& local);
@@ -56,20 +70,26 @@ struct Simulation::State {
   Decomposition decomposition;
   Lattice lattice;
   CellPopulation cells;
-  FluidLink fluid;
+  std::optional<FluidLink> link;  // this and the next: none where there are no cells
   MomentumAudit audit;
-  std::unique_ptr<Coupling> coupling;  // none where there are no cells
-  std::vector<double> start_volumes;   // um3, by type
+  std::unique_ptr<Coupling> coupling;
+  std::vector<double> start_volumes;  // um3, by type
   std::vector<CellFailure> failures;
   std::set<int> failed_cells;
   Counters counters;  // of this rank
+  Counters earlier;   // of the whole system, before this process went on
   double coupling_seconds = 0;
   std::int64_t steps = 0;
 };
 
 Simulation::Simulation(const Setup& setup, Communicator& communicator)
-    : state_(std::make_unique<State>(setup, communicator)) {
+    : state_(std::make_unique<State>(setup, communicator, true)) {
   state_->start();
+}
+Simulation::Simulation(const Setup& setup, Communicator& communicator, CheckpointFile& file,
+                       const CheckpointHeader& header)
+    : state_(std::make_unique<State>(setup, communicator, false)) {
+  state_->restore(file, header);
 }
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -81,18 +101,76 @@ void Simulation::State::start() {
       return FluidState{0, scale(1.0 / units.velocity(), developed_velocity(setup, position))};
     });
   }
+  if (!setup.waveform.is_constant()) drive();
   audit.hold(lattice, {}, 0);
-  if (!setup.cells.empty()) {
-    coupling = Coupling::create({setup, units, cells, fluid, lattice, audit});
+  make_coupling();
+  if (coupling) {
     const Stopwatch watch(coupling_seconds);
     coupling->hold_present_forces();
   }
   audit.start(lattice);
+}
+
+void Simulation::State::make_coupling() {
+  if (link) coupling = Coupling::create({setup, units, cells, *link, lattice, audit});
   for (const CellType& type : setup.types) start_volumes.push_back(enclosed_volume(type.shape, type.triangles));
+}
+
+/// Gives the fluid the driving force of the present moment; where there are cells, with their next forces, for as long
+/// as it holds those.
+void Simulation::State::drive() {
+  set_driving(steps);
+  if (coupling) return;
+  lattice.clear_force();
+  audit.hold(lattice, {}, 0);
+}
+
+/// Body force, plates and openings at the time of a step. Where some openings have a velocity, that is what pulsates,
+/// and the pressure of the others stays.
+void Simulation::State::set_driving(std::int64_t step) {
+  const double factor = setup.waveform.at(static_cast<double>(step) * setup.time_step);
+  lattice.set_body_force(scale(factor / units.force_density(), setup.body_force));
+  const auto& openings = setup.domain.openings;
+  const bool by_velocity = std::any_of(openings.begin(), openings.end(),
+                                       [](const Opening& opening) { return opening.kind == Opening::Kind::velocity; });
+  const int walls = first_opening_kind - 1;
+  for (int wall = 0; wall < walls; ++wall) lattice.set_boundary_factor(wall, factor);
+  for (std::size_t n = 0; n < openings.size(); ++n) {
+    const bool pulsates = openings[n].kind == Opening::Kind::velocity || !by_velocity;
+    lattice.set_boundary_factor(walls + static_cast<int>(n), pulsates ? factor : 1.0);
+  }
+}
+
+void Simulation::State::restore(CheckpointFile& file, const CheckpointHeader& header) {
+  make_coupling();
+  flow::load_fluid(lattice, communicator, file);
+  load_cells(cells, setup.cells, file, communicator);
+  // An explicit scheme follows the fluid at the places where it has spread; no vertex has moved since.
+  if (link) link->locate(cells, 0);
+  audit.restore(communicator.rank() == 0 ? header.audit : MomentumAudit::Record{});
+  earlier = header.counters;
+  failures = header.failures;
+  for (const CellFailure& failure : failures) failed_cells.insert(failure.id);
+  steps = header.step;
+  if (!setup.waveform.is_constant()) set_driving(steps - steps % setup.coupling.steps_per_solve);
+}
+
+void Simulation::save(CheckpointWriter& file, CheckpointHeader& header) const {
+  const State& s = *state_;
+  save_fluid(s.lattice, s.communicator, file);
+  save_placed(s.setup.cells, s.communicator, file);
+  save_cells(s.cells, s.setup.cells, file, s.communicator);
+  header.step = s.steps;
+  header.time_us = time_us();
+  header.backend = s.setup.backend;
+  header.counters = counters();
+  header.failures = s.failures;
+  header.audit = s.audit.record(s.communicator);
 }
 
 void Simulation::step() {
   State& s = *state_;
+  if (!s.setup.waveform.is_constant() && (!s.coupling || s.solves_now())) s.drive();
   if (s.solves_now()) s.load_fluid();
   {
     const Stopwatch watch(s.counters.fluid_seconds);
@@ -199,11 +277,23 @@ std::vector<CellState> Simulation::local_cells() const {
     }
     api::check(npfem_batch_measure(handle, "volume", cell.slot, 1, &state.volume, 1));
     api::check(npfem_batch_measure(handle, "area", cell.slot, 1, &state.area, 1));
-    api::check(npfem_batch_get_status(handle, cell.slot, 1, &state.status, 1));
-    api::check(npfem_batch_get_iterations(handle, cell.slot, 1, &state.iterations, 1));
-    api::check(npfem_batch_get_residual(handle, cell.slot, 1, &state.residual, 1));
+    const CellOutcome& outcome = cells.outcome(cell);
+    state.status = outcome.status;
+    state.iterations = outcome.iterations;
+    state.residual = outcome.residual;
   }
   return states;
+}
+
+std::vector<std::pair<std::string, double>> Simulation::phase_seconds() const {
+  const FluidLink::Seconds link = state_->link ? state_->link->seconds() : FluidLink::Seconds{};
+  return {{"exchange", link.exchange},
+          {"velocity", link.velocity},
+          {"interpolation", link.interpolation},
+          {"contacts", link.contacts},
+          {"cells", state_->coupling_seconds - link.all()},
+          {"spreading", link.spreading},
+          {"fluid", state_->counters.fluid_seconds}};
 }
 
 Counters Simulation::counters() const {
@@ -213,8 +303,16 @@ Counters Simulation::counters() const {
   total.cell_steps = counts[0];
   total.iterations = counts[1];
   state_->communicator.maximum(std::span(&total.worst_residual_pN, 1));
-  total.exchange_seconds = state_->fluid.seconds();
+  total.exchange_seconds = state_->link ? state_->link->seconds().all() : 0;
   total.cell_seconds = state_->coupling_seconds - total.exchange_seconds;
+
+  const Counters& earlier = state_->earlier;
+  total.cell_steps += earlier.cell_steps;
+  total.iterations += earlier.iterations;
+  total.worst_residual_pN = std::max(total.worst_residual_pN, earlier.worst_residual_pN);
+  total.fluid_seconds += earlier.fluid_seconds;
+  total.cell_seconds += earlier.cell_seconds;
+  total.exchange_seconds += earlier.exchange_seconds;
   return total;
 }
 

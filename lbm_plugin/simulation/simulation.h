@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "communicator/communicator.h"
@@ -13,6 +14,10 @@
 #include "units.h"
 
 namespace npfem::flow {
+
+class CheckpointFile;
+class CheckpointWriter;
+struct CheckpointHeader;
 
 /// A cell whose step failed. It stays where it was, with the state it had before that step.
 struct CellFailure {
@@ -55,11 +60,19 @@ class Simulation {
   /// and cells hold the forces of the first positions, so that cells that start under tension start without a jump.
   /// Collective. Throws std::exception, saying what is wrong, where the setup cannot run.
   Simulation(const Setup& setup, Communicator& communicator);
+
+  /// Goes on from the state in a verified checkpoint of a run with this setup, with the same bits as if it had never
+  /// stopped. Collective. Throws std::exception where the checkpoint does not fit the setup.
+  Simulation(const Setup& setup, Communicator& communicator, CheckpointFile& file, const CheckpointHeader& header);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
 
   /// Advances fluid and cells by one fluid step; the cells are solved at every steps_per_solve-th. Collective.
   void step();
+
+  /// Writes the whole state into the sections of a checkpoint and fills in what its header says about the run so far.
+  /// Collective; std::runtime_error on every rank where it cannot be written.
+  void save(CheckpointWriter& file, CheckpointHeader& header) const;
 
   /// Every cell that has failed so far, in order of step and id; the same list on every rank.
   const std::vector<CellFailure>& failures() const;
@@ -76,10 +89,12 @@ class Simulation {
   /// Cells of the whole system.
   int cell_count() const;
 
-  Counters counters() const;         ///< collective
+  Counters counters() const;  ///< collective
+  /// Seconds of this rank by phase of the time step, in the order in which the phases follow each other.
+  std::vector<std::pair<std::string, double>> phase_seconds() const;
   double volume_error() const;       ///< max over all cells of |V / V_start - 1|; collective
   double momentum_error() const;     ///< see coupling/momentum_audit.h; collective
-  double minimum_gap() const;        ///< um, vertex to triangle between cells, infinity below two cells; collective
+  double minimum_gap() const;        ///< um, see contact/minimum_gap.h: signed; collective
   double minimum_wall_gap() const;   ///< um, vertex to wall, infinity without walls; collective
   std::uint64_t state_hash() const;  ///< of fluid and cells, the same for any number of ranks; collective
 

@@ -20,7 +20,9 @@ void require_positive(double value, const char* name, const char* unit) {
 }
 
 Vec3 couette(const Domain& domain, double y) {
-  return {domain.plate_speed * (y / domain.size()[1] - 0.5), 0, 0};
+  Vec3 velocity{};
+  velocity[domain.flow_axis()] = domain.plate_speed * (y / domain.size()[1] - 0.5);
+  return velocity;
 }
 
 /// rho nu u'' = -f between u = 0 at both plates: u = f y (H - y) / (2 rho nu).
@@ -37,6 +39,22 @@ Vec3 in_tube(const Setup& setup, const Vec3& position) {
   return {0, 0, setup.body_force[2] * left / (4.0 * setup.density * setup.kinematic_viscosity)};
 }
 
+Boundary boundary_of(const Opening& opening, const Domain& domain, const Units& units) {
+  if (opening.kind == Opening::Kind::pressure) {
+    // the pressure of the lattice is rho/3
+    return {.kind = Boundary::Kind::pressure, .density_deviation = 3 * opening.pressure / units.pressure()};
+  }
+  const std::size_t axis = axis_of(opening.face);
+  const std::size_t u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
+  const auto row = static_cast<std::size_t>(domain.nodes[u]);
+  return {.kind = Boundary::Kind::velocity,
+          .velocity = scale(opening.mean_velocity / units.velocity(), inward(opening.face)),
+          .profile = [shares = inlet_profile(domain, opening), u, v, row](int ix, int iy, int iz) {
+            const std::array<int, 3> node{ix, iy, iz};
+            return shares[static_cast<std::size_t>(node[u]) + row * static_cast<std::size_t>(node[v])];
+          }};
+}
+
 }  // namespace
 
 void require_sound(const Setup& setup) {
@@ -48,6 +66,11 @@ void require_sound(const Setup& setup) {
     require(nodes >= 1, "the domain has " + std::to_string(nodes) + " nodes in one direction; at least 1 is needed");
   }
   if (setup.domain.kind == DomainKind::tube) require_positive(setup.domain.tube_radius, "tube_radius", "um");
+  for (const CellType& type : setup.types) {
+    require(type.interior_viscosity_ratio == 1, "cells \"" + type.name + "\" have an interior viscosity ratio of " +
+                                                    std::to_string(type.interior_viscosity_ratio) +
+                                                    "; only 1 is built yet");
+  }
   require(setup.coupling.steps_per_solve >= 1,
           "steps_per_solve is " + std::to_string(setup.coupling.steps_per_solve) + "; it must be at least 1");
 }
@@ -55,15 +78,22 @@ void require_sound(const Setup& setup) {
 Geometry lattice_geometry(const Domain& domain, const Units& units) {
   Geometry geometry;
   geometry.node_type = [domain](int ix, int iy, int iz) { return domain.node_kind({ix, iy, iz}); };
-  for (std::uint8_t kind = 1; kind <= 3; ++kind) {
+  for (std::uint8_t kind = 1; kind < first_opening_kind; ++kind) {
     geometry.boundaries.push_back({.velocity = scale(1.0 / units.velocity(), domain.wall_velocity(kind))});
   }
+  for (const Opening& opening : domain.openings) geometry.boundaries.push_back(boundary_of(opening, domain, units));
   return geometry;
 }
 
 LatticeOptions lattice_options(const Setup& setup, const Units& units) {
-  return {units.relaxation_time(setup.kinematic_viscosity), setup.magic_parameter,
-          scale(1.0 / units.force_density(), setup.body_force)};
+  LatticeOptions options;
+  options.tau = units.relaxation_time(setup.kinematic_viscosity);
+  options.magic = setup.magic_parameter;
+  options.body_force = scale(1.0 / units.force_density(), setup.body_force);
+  options.collision = setup.collision;
+  options.precision = setup.fluid_precision;
+  options.node_force = !setup.cells.empty();
+  return options;
 }
 
 Vec3 developed_velocity(const Setup& setup, const Vec3& position) {
@@ -75,6 +105,7 @@ Vec3 developed_velocity(const Setup& setup, const Vec3& position) {
     case DomainKind::tube:
       return in_tube(setup, position);
     case DomainKind::periodic_box:
+    case DomainKind::vessel:
       break;
   }
   return {};

@@ -19,6 +19,7 @@ enum class Field {
   position,
   velocity,
   external_force,
+  contact_stiffness,
   ambient_velocity,
   ambient_mass,
   held_force,
@@ -31,7 +32,7 @@ enum class Field {
 inline constexpr std::size_t num_fields = static_cast<std::size_t>(Field::tied_at) + 1;
 
 inline int components(Field field) {
-  return field == Field::ambient_mass ? 1 : 3;
+  return field == Field::ambient_mass || field == Field::contact_stiffness ? 1 : 3;
 }
 
 /// Vertices that move as one translating body.

@@ -16,13 +16,13 @@
 namespace npfem {
 namespace {
 
-constexpr std::array<const char*, 9> field_names{"position",         "velocity",         "external_force",
-                                                 "ambient_velocity", "ambient_mass",     "held_force",
-                                                 "lag_velocity",     "lag_acceleration", "elastic_force"};
+constexpr std::array<const char*, 10> field_names{
+    "position",     "velocity",   "external_force", "contact_stiffness", "ambient_velocity",
+    "ambient_mass", "held_force", "lag_velocity",   "lag_acceleration",  "elastic_force"};
 /// What a cell carries from step to step, in the order in which it is packed.
-constexpr std::array<Field, 8> state_fields{Field::position,         Field::velocity,        Field::external_force,
-                                            Field::ambient_velocity, Field::ambient_mass,    Field::held_force,
-                                            Field::lag_velocity,     Field::lag_acceleration};
+constexpr std::array<Field, 9> state_fields{Field::position,          Field::velocity,         Field::external_force,
+                                            Field::contact_stiffness, Field::ambient_velocity, Field::ambient_mass,
+                                            Field::held_force,        Field::lag_velocity,     Field::lag_acceleration};
 
 std::size_t size_of(Field field, int vertices, int cells = 1) {
   return static_cast<std::size_t>(components(field)) * static_cast<std::size_t>(vertices) *
@@ -32,14 +32,15 @@ std::size_t size_of(Field field, int vertices, int cells = 1) {
 /// Numbers that a field may hold; `per_cell` of them for each cell from `first_cell`.
 void require_allowed(Field field, std::span<const double> values, std::size_t per_cell, int first_cell) {
   const std::string name = field_names[static_cast<std::size_t>(field)];
+  const bool may_be_negative = components(field) == 3;  // masses and stiffnesses may not
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!std::isfinite(values[i]) || (field == Field::ambient_mass && values[i] < 0)) {
+    if (!std::isfinite(values[i]) || (!may_be_negative && values[i] < 0)) {
       const std::size_t vertex = (i % per_cell) / static_cast<std::size_t>(components(field));
       throw Error(Status::bad_input, "field \"" + name + "\": found " + text::format_number(values[i]) + " at vertex " +
                                          std::to_string(vertex) + " of cell " +
                                          std::to_string(static_cast<std::size_t>(first_cell) + i / per_cell) +
                                          "; allowed are finite " +
-                                         (field == Field::ambient_mass ? "numbers of at least 0" : "numbers"));
+                                         (may_be_negative ? "numbers" : "numbers of at least 0"));
     }
   }
 }

@@ -15,6 +15,7 @@ FIELDS = {
     "position": 3,
     "velocity": 3,
     "external_force": 3,
+    "contact_stiffness": 1,
     "ambient_velocity": 3,
     "ambient_mass": 1,
     "held_force": 3,
@@ -40,6 +41,7 @@ class Batch(Parameterised):
     position = _field("position", "Vertex positions, um.")
     velocity = _field("velocity", "Vertex velocities, um/us; assigning them sets the lag fields to zero.")
     external_force = _field("external_force", "Loads on the vertices, pN; kept until set again.")
+    contact_stiffness = _field("contact_stiffness", "Stiffness of the contacts of each vertex, pN/um.")
     ambient_velocity = _field("ambient_velocity", "Velocity of the surrounding fluid at each vertex, um/us.")
     ambient_mass = _field("ambient_mass", "Mass of fluid that moves with each vertex, fg; 0 without a fluid.")
     held_force = _field("held_force", "Force that each vertex exerts on the fluid, pN.")

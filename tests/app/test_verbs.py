@@ -47,7 +47,7 @@ def test_plan_says_what_is_active(program, scene):
     plan = json.loads(program("plan", scene, "--json").stdout)
     assert plan["domain"]["fluid_nodes"] == 24 * 20 * 20
     assert [cells["cells"] for cells in plan["cells"]] == [2, 1]
-    assert plan["repulsion"] == {"between_cells": True, "from_walls": True}
+    assert plan["contact"] == {"between_cells": True, "with_walls": True}
     assert {limit["name"] for limit in plan["limits"]} >= {"tau", "Ma", "gdot_T", "kappa_shear rbc"}
     no_cells = json.loads(program("plan", scene, "--json", "--set", "cells[0].count=0", "--set",
                                   "cells[1].count=0").stdout)

@@ -246,8 +246,8 @@ static void misuse_fields(const struct Objects* o) {
   FAILS(npfem_batch_set(o->batch, "velocty", 0, 1, values, coordinates), NPFEM_ERROR_NAME,
         "npfem_batch_set: no field \"velocty\"; did you mean \"velocity\"? "
         "allowed: position, velocity, "
-        "external_force, ambient_velocity, ambient_mass, held_force, "
-        "lag_velocity, lag_acceleration, elastic_force");
+        "external_force, contact_stiffness, ambient_velocity, ambient_mass, "
+        "held_force, lag_velocity, lag_acceleration, elastic_force");
   FAILS(npfem_batch_set(o->batch, "velocity", 0, 1, NULL, coordinates), NPFEM_ERROR_ARGUMENT,
         "npfem_batch_set: values is NULL");
   FAILS(npfem_batch_set(o->batch, "velocity", 0, 1, values, vertices), NPFEM_ERROR_ARGUMENT,

@@ -8,7 +8,8 @@ import npfem
 
 
 @pytest.mark.parametrize("field, components", [("position", 3), ("velocity", 3), ("external_force", 3),
-                                               ("ambient_velocity", 3), ("ambient_mass", 1), ("held_force", 3),
+                                               ("contact_stiffness", 1), ("ambient_velocity", 3),
+                                               ("ambient_mass", 1), ("held_force", 3),
                                                ("lag_velocity", 3), ("lag_acceleration", 3)])
 def test_fields_are_kept(batch, field, components):
     shape = (2, 66, 3) if components == 3 else (2, 66)

@@ -155,6 +155,8 @@ NPFEM_API int32_t npfem_batch_remove(int32_t batch, int32_t cell);
  *   position          3  um
  *   velocity          3  um/us   writing it starts a new motion: the lag fields of the cell become zero
  *   external_force    3  pN      loads, contacts, gravity; kept until set again
+ *   contact_stiffness 1  pN/um   k of a load external_force - k (x - x_n - time_step * velocity): what a stiff contact
+ *                                gives way by within the step; npfem_batch_step() only
  *   ambient_velocity  3  um/us   velocity of the surrounding fluid at the vertex
  *   ambient_mass      1  fg      mass of fluid that moves with the vertex; 0 without a fluid
  *   held_force        3  pN      force that the vertex exerts on the fluid; a step replaces f_old by the new one

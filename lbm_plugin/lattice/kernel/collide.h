@@ -244,7 +244,7 @@ NPFEM_INLINE void collide_with_force(const FluidFields<Real>& fields, std::span<
 template <class Real>
 void collide(const FluidFields<Real>& fields, std::span<const FluidStrip> strips) {
   const bool two_fluids = fields.inside != nullptr;
-  if (fields.collision == Collision::regularised) {
+  if (fields.regularised) {
     two_fluids ? collide_with_force<Real, true, true>(fields, strips)
                : collide_with_force<Real, true, false>(fields, strips);
   } else {

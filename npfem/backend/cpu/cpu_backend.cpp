@@ -169,6 +169,7 @@ CellBlock CpuBackend::block_of(StateBlocks& state, std::vector<CellReport>& repo
   b.position = state.block(Field::position, block);
   b.velocity = state.block(Field::velocity, block);
   b.external_force = state.block(Field::external_force, block);
+  b.contact_stiffness = state.block(Field::contact_stiffness, block);
   b.ambient_velocity = state.block(Field::ambient_velocity, block);
   b.ambient_mass = state.block(Field::ambient_mass, block);
   b.held_force = state.block(Field::held_force, block);
@@ -207,8 +208,11 @@ CellState CpuBackend::cell_state(int cell) const {
   get(Field::lag_velocity, state.lag_velocity);
   get(Field::lag_acceleration, state.lag_acceleration);
   get(Field::tied_at, state.tied_at);
-  state.ambient_mass.resize(n);
-  state_.read(Field::ambient_mass, cell, {state.ambient_mass.data(), static_cast<std::size_t>(n)});
+  for (const auto& [field, values] :
+       {std::pair{Field::ambient_mass, &state.ambient_mass}, {Field::contact_stiffness, &state.contact_stiffness}}) {
+    values->resize(n);
+    state_.read(field, cell, {values->data(), static_cast<std::size_t>(n)});
+  }
   return state;
 }
 

@@ -56,7 +56,8 @@ struct CellBlock {
   int stride = 0;
   double* position = nullptr;
   double* velocity = nullptr;
-  const double* external_force = nullptr;  ///< null: zero for all cells; so also the next three
+  const double* external_force = nullptr;  ///< null: zero for all cells; so also the next four
+  const double* contact_stiffness = nullptr;
   const double* ambient_velocity = nullptr;
   const double* ambient_mass = nullptr;
   double* held_force = nullptr;

@@ -15,6 +15,7 @@ struct CellState {
   VertexField lag_acceleration;  ///< (v_n - v_{n-1})/dt
   VertexField tied_at;           ///< where each vertex stood when a patch tied it
   Eigen::VectorXd ambient_mass;
+  Eigen::VectorXd contact_stiffness;
   std::vector<double> energies;  ///< of the last evaluation, pN um
   CellReport report;
 

@@ -26,6 +26,8 @@ auto* field_data(State& cell, Field field) {
       return cell.held_force.data();
     case Field::ambient_mass:
       return cell.ambient_mass.data();
+    case Field::contact_stiffness:
+      return cell.contact_stiffness.data();
     case Field::lag_velocity:
       return cell.lag_velocity.data();
     case Field::lag_acceleration:
@@ -48,7 +50,7 @@ void ReferenceBackend::add_cells(int count) {
                              &fresh.lag_velocity, &fresh.lag_acceleration, &fresh.elastic_force}) {
     field->setZero(n, 3);
   }
-  fresh.ambient_mass = Eigen::VectorXd::Zero(n);
+  fresh.ambient_mass = fresh.contact_stiffness = Eigen::VectorXd::Zero(n);
   fresh.energies.assign(model_->energy_names().size(), 0.0);
   cells_.resize(cells_.size() + static_cast<std::size_t>(count), fresh);
 }

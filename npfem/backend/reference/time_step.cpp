@@ -27,6 +27,19 @@ bool needs_newton(const Model& model, const SolverOptions& options, CellStatus s
   return has_failed(status) || (status == CellStatus::iteration_cap && model.has_potential());
 }
 
+namespace {
+
+/// Inertia and the springs of the contacts, at rest at x_n + dt v_n, are one spring at rest between the two. A vertex
+/// without contact keeps its bits.
+void meet_contacts(const CellState& cell, double dt, const Eigen::VectorXd& inertia, VertexField& drift) {
+  for (Eigen::Index i = 0; i < drift.rows(); ++i) {
+    const double stiffness = cell.contact_stiffness(i);
+    if (stiffness > 0) drift.row(i) += stiffness / inertia(i) * (dt * cell.velocity.row(i) - drift.row(i));
+  }
+}
+
+}  // namespace
+
 void time_step(const Model& model, const StepFactor& factor, std::span<const Patch> patches,
                const SolverOptions& options, CellState& cell) {
   const double dt = options.time_step;
@@ -34,11 +47,12 @@ void time_step(const Model& model, const StepFactor& factor, std::span<const Pat
   const auto n = static_cast<Eigen::Index>(model.num_vertices());
   const auto solid_mass = model.solid_masses();
   const Eigen::VectorXd mass = solid_mass + cell.ambient_mass;
-  const Eigen::VectorXd inertia = mass / (h * h);
+  const Eigen::VectorXd inertia = mass / (h * h) + cell.contact_stiffness;
   const VertexField last_move = dt * (cell.velocity + cell.lag_velocity);
   const VertexField momentum = solid_mass.asDiagonal() * (cell.velocity + past * dt * cell.lag_acceleration) +
                                cell.ambient_mass.asDiagonal() * cell.ambient_velocity;
-  const VertexField drift = past * last_move + h * mass.cwiseInverse().asDiagonal() * momentum;
+  VertexField drift = past * last_move + h * mass.cwiseInverse().asDiagonal() * momentum;
+  meet_contacts(cell, dt, inertia, drift);
   const VertexField force = cell.external_force - cell.held_force;
   const Dissipation dissipation(model, cell.position, last_move, past, h);
   const StepObjective objective{model, cell.position, inertia, drift, force, dissipation, patches, cell.tied_at};

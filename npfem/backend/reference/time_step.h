@@ -38,6 +38,9 @@ bool needs_newton(const Model& model, const SolverOptions& options, CellStatus s
 ///   drift = past dt (v_n + w_n) + h V,   (m_s + m_f) V = m_s (v_n + past dt a_n) + m_f u,
 /// f_old the force that the fluid holds already. Then
 ///   v_{n+1} = [d - past dt (v_n + w_n)]/h,   w_{n+1} = d/dt - v_{n+1},   a_{n+1} = (v_{n+1} - v_n)/dt.
+/// Contacts load a vertex with f_c - k (x - x_n - dt v_n): f_c is part of f_ext, found by the host at the predicted
+/// position, and k (contact_stiffness) keeps a stiff contact from being overshot. It adds k to mu and moves drift towards
+/// dt v_n accordingly.
 /// The fluid receives F = f_old + m_f (v - u)/dt. Taking u - dt f_old/m for u is what keeps the membrane from slipping
 /// through the fluid (see docs/theory.md, coupling). With integrator = 0 no past is kept: w = a = 0.
 /// `factor` is that of `differencing(options, cell).h`.

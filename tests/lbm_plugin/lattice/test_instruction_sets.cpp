@@ -54,8 +54,8 @@ std::uint64_t hash_after_run(LatticeOptions options, int points) {
 
 TEST(InstructionSets, GiveTheSameBits) {
   if (available().size() == 1) GTEST_SKIP() << "this processor has one instruction set only";
-  for (const auto precision : {FluidPrecision::double_precision, FluidPrecision::single_precision}) {
-    for (const auto collision : {Collision::two_relaxation_times, Collision::regularised}) {
+  for (const auto precision : {FluidPrecision::in_double, FluidPrecision::in_float}) {
+    for (const auto collision : {Collision::trt, Collision::regularised}) {
       for (const double inside : {0.0, 1.4}) {
         for (const int points : {2, 3, 4}) {
           LatticeOptions options{.tau = 0.8, .body_force = {1e-5, 0, -2e-5}};

@@ -33,7 +33,7 @@ Boundary pressure_face(double density_deviation) {
   return {.kind = Boundary::Kind::pressure, .density_deviation = density_deviation};
 }
 Boundary parabolic_inlet() {
-  return {.velocity = {kSpeed, 0, 0}, .profile = [](const Vec3& position) { return parabola(position[1]); }};
+  return {.velocity = {kSpeed, 0, 0}, .profile = [](int, int iy, int) { return parabola(iy + 0.5); }};
 }
 
 class Channel {
@@ -83,7 +83,8 @@ TEST(OpenBoundaries, APressureDropDrivesPoiseuilleFlow) {
 TEST(OpenBoundaries, AnInletKeepsItsFlowAndTheOutletItsPressure) {
   Channel channel_flow(channel(parabolic_inlet(), pressure_face(0.003)));
   channel_flow.run(3000);
-  const double asked = 2.0 / 3.0 * kSpeed * kHeight;
+  double asked = 0;
+  for (int iy = 0; iy < kHeight; ++iy) asked += kSpeed * parabola(iy + 0.5);
   for (const int ix : {0, 7, kLength - 1}) EXPECT_NEAR(channel_flow.flow(ix), asked, 0.001 * asked) << ix;
   for (int iy = 0; iy < kHeight; ++iy) {
     EXPECT_NEAR(channel_flow.lattice().node_velocity(kLength / 2, iy, 0)[0], kSpeed * parabola(iy + 0.5),

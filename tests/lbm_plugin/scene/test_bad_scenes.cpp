@@ -40,18 +40,18 @@ TEST_P(BadScenes, AreRefusedWithThisMessage) {
 
 const BadScene wrong_words[] = {
     {"MisspeltKey", "shear_rate =", "shear_rat =",
-     "scene.toml:14:1: unknown key \"shear_rat\" in [flow]; did you mean \"shear_rate\"? known keys: centre_velocity, "
-     "mean_velocity, pressure_gradient, shear_rate, start"},
+     "scene.toml:14:1: unknown key \"shear_rat\" in [flow]; did you mean \"shear_rate\"? known keys: axis, "
+     "centre_velocity, mean_velocity, pressure_gradient, shear_rate, start, waveform"},
     {"MisspeltKeyOfACell", "level = 2", "lvel = 2",
-     "scene.toml:19:1: unknown key \"lvel\" in [cells[0]]; did you mean \"level\"? known keys: count, haematocrit, "
-     "level, material, mesh, name, positions, ratio, ratio_to"},
+     "scene.toml:19:1: unknown key \"lvel\" in [cells[0]]; did you mean \"level\"? known keys: body_density, "
+     "body_folder, count, haematocrit, interior_viscosity_ratio, level, material, mesh, name, positions, ratio, "
+     "ratio_to, volume_weight"},
     {"MisspeltSection", "[run]", "[rum]\nsteps = 1\n[run]",
-     "scene.toml:22:2: unknown key \"rum\" at the top level; did you mean \"run\"? known keys: cells, coupling, "
-     "domain, "
-     "flow, fluid, output, placement, repulsion, run, schema_version, solver, title"},
+     "scene.toml:22:2: unknown key \"rum\" at the top level; did you mean \"run\"? known keys: cells, contact, "
+     "coupling, domain, flow, fluid, openings, output, placement, run, schema_version, solver, title"},
     {"MisspeltWord", "\"shear_box\"", "\"shearbox\"",
      "scene.toml:5:8: domain.kind: unknown word \"shearbox\"; did you mean \"shear_box\"? allowed: tube, shear_box, "
-     "plates, periodic_box"},
+     "plates, periodic_box, vessel"},
     {"NotToml", "steps = 10", "steps = = 10",
      "scene.toml:23:9: Error while parsing value: could not determine value type"},
     {"Version", "schema_version = 1", "schema_version = 2",
@@ -87,8 +87,14 @@ const BadScene wrong_numbers[] = {
      "step below 0.00144 us"},
     {"KernelOfFive", "[run]", "[coupling]\nkernel = 5\n[run]",
      "scene.toml:23:10: coupling.kernel: 5 is not allowed: 2 to 4"},
-    {"LongRange", "[run]", "[repulsion]\nrange = \"3 um\"\n[run]",
-     "scene.toml:23:9: repulsion.range: 3 um is more than two node spacings (1 um), the largest range supported"},
+    {"ContactWithNobody", "[run]", "[[contact.pairs]]\nfirst = \"rbc\"\nsecond = \"platlet\"\n[run]",
+     "scene.toml:24:10: contact.pairs[0].second: no type of cells is called \"platlet\"; allowed: rbc, wall"},
+    {"ContactTwice", "[run]",
+     "[[contact.pairs]]\nfirst = \"rbc\"\nsecond = \"wall\"\n[[contact.pairs]]\nfirst = \"rbc\"\nsecond = "
+     "\"wall\"\n[run]",
+     "scene.toml:27:10: contact.pairs[1].second: this pair stands there already"},
+    {"ContactStrengthAsForce", "[run]", "[contact]\nstrength = \"2 pN\"\n[run]",
+     "scene.toml:23:12: contact.strength: \"2 pN\" is a force, but a stress, like \"1 Pa\" is needed"},
     {"NegativeSteps", "steps = 10", "steps = -10", "scene.toml:23:9: run.steps: -10 must not be negative"},
     {"NegativeCount", "count = 1", "count = -1", "scene.toml:20:9: cells[0].count: -1 must not be negative"},
     {"CountAsText", "count = 1", "count = \"1\"",

@@ -31,7 +31,7 @@ TEST(ReadScene, TurnsEverythingIntoBaseUnits) {
   EXPECT_FALSE(setup.start_developed);
   EXPECT_EQ(setup.coupling.scheme, CouplingScheme::implicit);
   EXPECT_EQ(setup.coupling.kernel_points, 4);
-  EXPECT_DOUBLE_EQ(setup.cell_repulsion.range, 0.5);  // dx
+  EXPECT_DOUBLE_EQ(setup.contact.cells.range, 0.5);  // dx
   EXPECT_EQ(scene.steps, 10);
   EXPECT_EQ(scene.requests.at(0).count, 1);
   EXPECT_EQ(scene.requests.at(0).level, 2);

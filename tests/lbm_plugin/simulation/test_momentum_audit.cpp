@@ -30,8 +30,8 @@ void PrintTo(const Case& c, std::ostream* out) {
 
 flow::Setup with_coupling(flow::Setup setup, const Case& c) {
   setup.coupling = {c.scheme, c.kernel_points, c.steps_per_solve};
-  setup.cell_repulsion = {1.5, 1e-3};
-  setup.wall_repulsion = {1.5, 1e-3};
+  setup.contact.cells = {1.5, 1e-3};
+  setup.contact.walls = {1.5, 1e-3};
   return setup;
 }
 
@@ -64,7 +64,7 @@ TEST_P(MomentumAuditTest, ClosesInAPeriodicBox) {
   EXPECT_LT(error_after(setup, 1000), kBound);
 }
 
-// The same cells between moving plates, so near that their kernels reach into the walls and both repulsions act.
+// The same cells between moving plates, so near that their kernels reach into the walls and both kinds of contact act.
 TEST_P(MomentumAuditTest, ClosesBetweenWalls) {
   flow::Setup setup = with_coupling(capsules::fluid(DomainKind::shear_box, {16, 13, 12}, 1.0), GetParam());
   setup.domain.plate_speed = 0.02;

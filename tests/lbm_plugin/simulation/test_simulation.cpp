@@ -17,7 +17,7 @@ flow::Setup two_cells_in_shear() {
   flow::Setup setup = capsules::fluid(DomainKind::shear_box, {16, 14, 14}, 1.0);
   setup.domain.plate_speed = 0.1;
   setup.start_developed = true;
-  setup.cell_repulsion = {1.0, 1e-3};
+  setup.contact.cells = {1.0, 1e-3};
   setup.types = {capsules::capsule("sphere", 2, 3.0, capsules::neo_hookean(0.02)),
                  capsules::capsule("icosphere", 1, 2.0, capsules::skalak(0.02, 2))};
   setup.types[1].name = "other";

@@ -21,8 +21,8 @@ flow::Setup scene(DomainKind kind, CouplingScheme scheme, int every) {
   setup.body_force = kind == DomainKind::periodic_box ? Vec3{9e-4, 7e-4, 1e-3} : Vec3{2e-4, 0, 3e-4};
   setup.start_developed = kind != DomainKind::tube;
   setup.coupling = {scheme, 4, every};
-  setup.cell_repulsion = {1.5, 2e-3};
-  setup.wall_repulsion = {1.5, 2e-3};
+  setup.contact.cells = {1.5, 2e-3};
+  setup.contact.walls = {1.5, 2e-3};
   setup.types = {capsules::inflated(capsules::capsule("sphere", 2, 2.6, capsules::neo_hookean(0.02)), 1.03),
                  capsules::capsule("icosphere", 1, 1.8, capsules::skalak(0.02, 2))};
   capsules::place(setup, 0, {8.4, 9.2, 7.4});

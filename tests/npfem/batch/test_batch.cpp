@@ -101,7 +101,7 @@ TEST(Batch, RefusesMassesThatPhysicsDoesNotAllow) {
     std::vector<double> mass(vertices, 1.0);
     mass[4] = bad;
     auto damaged = packed;
-    damaged[12 * vertices + 4] = bad;  // position, velocity, external force and ambient velocity come before it
+    damaged[13 * vertices + 4] = bad;  // position, velocity, external force, contact stiffness, ambient velocity before
     for (const bool whole_cell : {false, true}) {
       try {
         whole_cell ? batch.unpack(0, damaged) : batch.write(Field::ambient_mass, 0, 1, mass);

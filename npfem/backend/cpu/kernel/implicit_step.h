@@ -59,7 +59,7 @@ class ImplicitStep {
     const cpu::CellBlock& b = task_.block;
     const double per_square = 1 / (settings_.lead * settings_.lead);
     for (int i = 0; i < n_; ++i) {
-      double fluid_mass[cells] = {}, per_mass[cells];
+      double fluid_mass[cells] = {}, per_mass[cells], stiffness[cells] = {};
       const double solid = task_.solid_mass[i];
       if (b.ambient_mass) {
         const double* const mass = fields_.from(b.ambient_mass, i);
@@ -67,7 +67,27 @@ class ImplicitStep {
       }
       // Lanes without a cell may have no mass.
       for (int l = 0; l < cells; ++l) per_mass[l] = 1 / larger(solid + fluid_mass[l], 1e-300);
-      for (int c = 0; c < 3; ++c) prepare_row(3 * i + c, per_square, fluid_mass, per_mass);
+      if (b.contact_stiffness) {
+        const double* const k = fields_.from(b.contact_stiffness, i);
+        for (int l = 0; l < cells; ++l) stiffness[l] = k[l];
+      }
+      for (int c = 0; c < 3; ++c) {
+        prepare_row(3 * i + c, per_square, fluid_mass, per_mass);
+        if (b.contact_stiffness) meet_contacts(3 * i + c, stiffness);
+      }
+    }
+  }
+
+  /// The springs of the contacts, at rest at x_n + dt v_n. A vertex without contact keeps its bits.
+  void meet_contacts(int row, const double* stiffness) {
+    const double* const v = fields_.from(task_.block.velocity, row);
+    for (int l = 0; l < cells; ++l) {
+      const auto inertia = static_cast<double>(Fields::row(inertia_, row)[l]) + stiffness[l];
+      const auto drift = static_cast<double>(Fields::row(drift_, row)[l]);
+      const double met = drift + stiffness[l] / inertia * (settings_.time_step * v[l] - drift);
+      Fields::row(inertia_, row)[l] = static_cast<R>(inertia);
+      Fields::row(drift_, row)[l] = static_cast<R>(stiffness[l] > 0 ? met : drift);
+      Fields::row(here_, row)[l] = Fields::row(drift_, row)[l];
     }
   }
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MPL-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "checkpoint/checkpoint_file.h"
+#include "communicator/communicator.h"
+#include "coupling/cell_population.h"
+#include "simulation/setup.h"
+
+namespace npfem::flow {
+
+/// Section "placed": type, centre and rotation of every cell as it was placed, in order of ids: by this a run knows its
+/// cells without placing them again, and how far they have come. Collective as CheckpointWriter.
+void save_placed(const std::vector<CellStart>& cells, Communicator& communicator, CheckpointWriter& file);
+std::vector<CellStart> load_placed(CheckpointFile& file);
+
+/// Section "cells": type, outcome of the last step and packed state of every cell, in order of ids. Collective as
+/// CheckpointWriter. `all`: the cells of the whole system, by id.
+void save_cells(const CellPopulation& cells, const std::vector<CellStart>& all, CheckpointWriter& file,
+                Communicator& communicator);
+
+/// Adds the saved cells to a population that has none; each comes to its owner. Collective; std::runtime_error on every
+/// rank where they cannot be read or do not fit the types.
+void load_cells(CellPopulation& cells, const std::vector<CellStart>& all, CheckpointFile& file,
+                Communicator& communicator);
+
+}  // namespace npfem::flow

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MPL-2.0
+#include <algorithm>
+
+#include "nearest.h"
+#include "scene/read_parts.h"
+#include "scene/scene_keys.h"
+
+namespace npfem::flow {
+namespace {
+
+using text::Key;
+using text::Table;
+
+constexpr const char* wall_name = "wall";
+
+/// Number of the type of that name; PairContact::wall for a wall, where one may stand there.
+int type_named(const Table& table, const Key& key, const Scene& scene, bool or_wall) {
+  const std::string name = table.text(key);
+  std::vector<std::string> names;
+  for (const CellsRequest& request : scene.requests) names.push_back(request.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<int>(found - names.begin());
+  if (or_wall && name == wall_name) return PairContact::wall;
+  if (or_wall) names.emplace_back(wall_name);
+  table.fail(key.name, "no type of cells is called \"" + name + "\"" + text::suggestion(name, names));
+}
+
+PairContact read_pair(const Table& table, const Scene& scene) {
+  PairContact pair{};
+  pair.first = type_named(table, keys::first, scene, false);
+  pair.second = type_named(table, keys::second, scene, true);
+  pair.law = pair.second == PairContact::wall ? scene.setup.contact.walls : scene.setup.contact.cells;
+  const auto take = [&](const Key& key, double& value) {
+    if (table.has(key)) value = table.quantity(key);
+  };
+  take(keys::pair_range, pair.law.range);
+  take(keys::pair_strength, pair.law.strength);
+  take(keys::pair_attraction, pair.law.depth);
+  take(keys::pair_attraction_width, pair.law.width);
+  return pair;
+}
+
+}  // namespace
+
+void read_contact(const Table& table, Scene& scene) {
+  Setup& setup = scene.setup;
+  ContactSettings& contact = setup.contact;
+  const double width = table.quantity(keys::attraction_width);
+  contact.cells = {table.has(keys::range) ? table.quantity(keys::range) : setup.domain.dx,
+                   table.quantity(keys::strength), table.quantity(keys::attraction), width};
+  contact.walls = {table.has(keys::wall_range) ? table.quantity(keys::wall_range) : setup.domain.dx,
+                   table.quantity(keys::wall_strength), 0, width};
+  for (const Table& entry : table.tables("pairs")) {
+    const PairContact pair = read_pair(entry, scene);
+    for (const PairContact& earlier : contact.pairs) {
+      const bool same = (earlier.first == pair.first && earlier.second == pair.second) ||
+                        (earlier.first == pair.second && earlier.second == pair.first);
+      if (same) entry.fail("second", "this pair stands there already");
+    }
+    contact.pairs.push_back(pair);
+  }
+}
+
+}  // namespace npfem::flow

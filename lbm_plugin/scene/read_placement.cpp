@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MPL-2.0
+#include <algorithm>
+
+#include "file.h"
+#include "nearest.h"
+#include "scene/read_parts.h"
+#include "scene/scene_keys.h"
+
+namespace npfem::flow {
+
+using text::Table;
+
+void read_placement(const Table& table, Scene& scene, const std::filesystem::path& folder) {
+  scene.seed = static_cast<std::uint64_t>(table.integer(keys::seed));
+  scene.gap = table.quantity(keys::gap);
+  if (!table.has(keys::file)) return;
+  scene.cells_file = path_from(table.text(keys::file), folder);
+  try {
+    scene.stored = read_cells_file(scene.cells_file);
+  } catch (const text::FileError& error) {
+    table.fail(keys::file.name, error.what());
+  } catch (const text::InputError& error) {
+    table.fail(keys::file.name, error.what());
+  }
+}
+
+void match_stored_cells(const Table& placement, Scene& scene) {
+  if (scene.cells_file.empty()) return;
+  std::vector<std::string> names;
+  for (const StoredCells& cells : scene.stored) names.push_back(cells.name);
+  std::vector<StoredCells> in_order;
+  for (const CellsRequest& request : scene.requests) {
+    const auto found = std::find(names.begin(), names.end(), request.name);
+    if (found == names.end()) {
+      request.table.fail("name", "\"" + scene.cells_file + "\" holds no cells \"" + request.name + "\"" +
+                                     text::suggestion(request.name, names, "it holds"));
+    }
+    in_order.push_back(std::move(scene.stored[static_cast<std::size_t>(found - names.begin())]));
+    found->clear();
+  }
+  for (const std::string& name : names) {
+    if (!name.empty()) {
+      placement.fail(keys::file.name, "\"" + scene.cells_file + "\" holds cells \"" + name +
+                                          "\", of which the scene has no [[cells]] table");
+    }
+  }
+  scene.stored = std::move(in_order);
+}
+
+}  // namespace npfem::flow

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MPL-2.0
+// A run that stops and goes on has the bits of one that never stopped, whoever goes on with it: every rank runs the
+// whole scene alone, and all together take turns with it.
+#include <gtest/gtest.h>
+
+#include "capsules.h"
+#include "checkpoint/checkpoint_file.h"
+#include "checkpoint/checkpoint_header.h"
+#include "communicator/serial_communicator.h"
+#include "folder_of_rank_zero.h"
+#include "mpi_environment.h"
+#include "scratch_folder.h"
+#include "simulation/simulation.h"
+
+namespace npfem::flow {
+namespace {
+
+/// Cells under tension across the corners of any split; the body force carries them from block to block.
+flow::Setup scene(DomainKind kind, CouplingScheme scheme, int every) {
+  flow::Setup setup = capsules::fluid(kind, {17, 13, 15}, 0.9);
+  setup.domain.plate_speed = 0.24;
+  setup.domain.tube_radius = 6.4;
+  setup.body_force = kind == DomainKind::periodic_box ? Vec3{9e-4, 7e-4, 1e-3} : Vec3{2e-4, 0, 3e-4};
+  setup.start_developed = kind != DomainKind::tube;
+  setup.coupling = {scheme, 4, every};
+  setup.contact.cells = {1.5, 2e-3};
+  setup.contact.walls = {1.5, 2e-3};
+  setup.types = {capsules::inflated(capsules::capsule("sphere", 2, 2.6, capsules::neo_hookean(0.02)), 1.03),
+                 capsules::capsule("icosphere", 1, 1.8, capsules::skalak(0.02, 2))};
+  capsules::place(setup, 0, {8.4, 9.2, 7.4});
+  capsules::place(setup, 1, {8.1, 6.4, 0.3});
+  capsules::place(setup, 0, {8.6, 3.8, 7.6});
+  capsules::place(setup, 1, {8.5, 6.6, 11.4});
+  return setup;
+}
+
+void advance(Simulation& simulation, int steps) {
+  for (int i = 0; i < steps; ++i) simulation.step();
+}
+
+void save(const Simulation& simulation, Communicator& communicator, const std::filesystem::path& path) {
+  CheckpointWriter file(communicator, path);
+  CheckpointHeader header;
+  simulation.save(file, header);
+  file.publish(to_json(header));
+  communicator.barrier();
+}
+
+Simulation continued(const flow::Setup& setup, Communicator& communicator, const std::filesystem::path& path) {
+  CheckpointFile file(communicator, path);
+  file.verify();
+  return Simulation(setup, communicator, file, header_from_json(file.header()));
+}
+
+/// `first` steps alone, `second` by all, the rest alone again.
+void expect_same_as_straight(const flow::Setup& setup, int first, int second, int rest) {
+  const ScratchFolder own("continuation");
+  SerialCommunicator self;
+  Simulation straight(setup, self);
+  advance(straight, first);
+  save(straight, self, own.path() / "alone.npfem");
+
+  const auto shared_folder = folder_of_rank_zero(own);
+  Simulation shared = continued(setup, world(), shared_folder / "alone.npfem");
+  EXPECT_EQ(shared.state_hash(), straight.state_hash()) << "as read";
+  EXPECT_EQ(shared.steps_done(), first);
+  advance(shared, second);
+  save(shared, world(), shared_folder / "shared.npfem");
+  advance(straight, second);
+  EXPECT_EQ(shared.state_hash(), straight.state_hash());
+
+  Simulation last = continued(setup, self, shared_folder / "shared.npfem");
+  advance(last, rest);
+  advance(straight, rest);
+  EXPECT_EQ(last.state_hash(), straight.state_hash());
+  const Counters found = last.counters();
+  const Counters expected = straight.counters();
+  EXPECT_EQ(found.cell_steps, expected.cell_steps);
+  EXPECT_EQ(found.iterations, expected.iterations);
+  EXPECT_EQ(found.worst_residual_pN, expected.worst_residual_pN);
+  EXPECT_EQ(last.volume_error(), straight.volume_error());
+  EXPECT_LT(last.momentum_error(), 1e-10);
+  EXPECT_EQ(last.steps_done(), straight.steps_done());
+  const auto cells = last.local_cells();
+  const auto expected_cells = straight.local_cells();
+  ASSERT_EQ(cells.size(), expected_cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    EXPECT_EQ(cells[i].position, expected_cells[i].position);
+    EXPECT_EQ(cells[i].force, expected_cells[i].force);
+    EXPECT_EQ(cells[i].iterations, expected_cells[i].iterations);
+    EXPECT_EQ(cells[i].residual, expected_cells[i].residual);
+  }
+  world().barrier();
+}
+
+TEST(Continuation, OfAShearBox) {
+  expect_same_as_straight(scene(DomainKind::shear_box, CouplingScheme::implicit, 1), 20, 20, 20);
+}
+
+TEST(Continuation, BetweenTwoStepsOfTheCells) {
+  expect_same_as_straight(scene(DomainKind::periodic_box, CouplingScheme::implicit, 2), 21, 10, 20);
+  expect_same_as_straight(scene(DomainKind::tube, CouplingScheme::implicit, 3), 10, 10, 1);
+}
+
+TEST(Continuation, OfTheExplicitCoupling) {
+  expect_same_as_straight(scene(DomainKind::periodic_box, CouplingScheme::peskin, 2), 31, 9, 12);
+}
+
+TEST(Continuation, OfAFluidAlone) {
+  flow::Setup setup = scene(DomainKind::tube, CouplingScheme::implicit, 1);
+  setup.cells.clear();
+  expect_same_as_straight(setup, 7, 5, 5);
+}
+
+TEST(Continuation, WhatIsInTheFileDoesNotDependOnTheRanks) {
+  const ScratchFolder own("canonical");
+  const auto folder = folder_of_rank_zero(own);
+  const flow::Setup setup = scene(DomainKind::shear_box, CouplingScheme::implicit, 2);
+  SerialCommunicator self;
+  Simulation alone(setup, self);
+  Simulation shared(setup, world());
+  advance(alone, 11);
+  advance(shared, 11);
+  save(alone, self, own.path() / "alone.npfem");
+  save(shared, world(), folder / "shared.npfem");
+  CheckpointFile a(self, own.path() / "alone.npfem");
+  CheckpointFile b(self, folder / "shared.npfem");
+  for (const char* section : {"fluid", "placed", "cells"}) {
+    ASSERT_EQ(a.words(section), b.words(section));
+    std::vector<Word> first(static_cast<std::size_t>(a.words(section)));
+    std::vector<Word> second(first.size());
+    a.read(section, 0, first);
+    b.read(section, 0, second);
+    EXPECT_EQ(first, second) << section;
+  }
+  world().barrier();
+}
+
+TEST(Continuation, NeedsTheSameGeometryAndCells) {
+  const ScratchFolder own("another");
+  const auto folder = folder_of_rank_zero(own);
+  const flow::Setup setup = scene(DomainKind::tube, CouplingScheme::implicit, 1);
+  Simulation simulation(setup, world());
+  save(simulation, world(), folder / "tube.npfem");
+  flow::Setup narrower = setup;
+  narrower.domain.tube_radius = 5.9;
+  EXPECT_THROW(continued(narrower, world(), folder / "tube.npfem"), std::runtime_error);
+  flow::Setup fewer = setup;
+  fewer.cells.pop_back();
+  EXPECT_THROW(continued(fewer, world(), folder / "tube.npfem"), std::runtime_error);
+  flow::Setup exchanged = setup;
+  std::swap(exchanged.cells[0], exchanged.cells[1]);
+  EXPECT_THROW(continued(exchanged, world(), folder / "tube.npfem"), std::runtime_error);
+  world().barrier();
+}
+
+}  // namespace
+}  // namespace npfem::flow
