@@ -31,6 +31,7 @@ struct Session {
 /// Adds a verb to the command line; what it returns is called when the verb was given.
 using Action = std::function<int(Session&)>;
 Action add_run(CLI::App& program);
+Action add_pack(CLI::App& program);
 Action add_plan(CLI::App& program);
 Action add_validate(CLI::App& program);
 Action add_mesh(CLI::App& program);
