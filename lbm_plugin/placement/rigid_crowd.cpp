@@ -173,6 +173,8 @@ void RigidCrowd::push(std::size_t a, std::size_t b, const Vec3& shift, Load& on_
   const double h = 0.02 * other.radius;  // for the slope of the table
   const Bounds box = boxes_[b].moved(shift);
   const Vec3 centre = add(cells_[b].centre, shift);
+  const Vec3 apart = subtract(cells_[a].centre, centre);
+  const Vec3 away = norm(apart) > 0 ? scale(1 / norm(apart), apart) : Vec3{0, 0, 1};
   for (std::size_t v = 0; v < mine.area.size(); ++v) {
     const Vec3 at = vertex(xyz_[a], v);
     if (!box.is_near({at, at}, gap_)) continue;
@@ -186,7 +188,9 @@ void RigidCrowd::push(std::size_t a, std::size_t b, const Vec3& shift, Load& on_
       down[axis] -= h;
       slope[axis] = (other.distance.at(up) - other.distance.at(down)) / (2 * h);
     }
-    const Vec3 force = scale(mine.area[v] * missing, rotate(cells_[b].rotation, slope));
+    const double deep = std::clamp((missing - gap_) / (0.5 * other.half_thickness), 0.0, 1.0);
+    const Vec3 outward = add(scale(1 - deep, rotate(cells_[b].rotation, slope)), scale(deep, away));
+    const Vec3 force = scale(mine.area[v] * missing, outward);
     on_a.add(force, subtract(at, cells_[a].centre));
     on_b.add(scale(-1, force), subtract(at, centre));
     sums.energy += 0.5 * mine.area[v] * missing * missing;

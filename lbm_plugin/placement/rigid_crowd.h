@@ -17,7 +17,9 @@ namespace npfem::flow {
 /// packing, in which overlaps are far too deep for membranes.
 ///
 /// A vertex nearer to another surface than `gap`, or inside it, is pushed along the gradient of the signed distance to
-/// that surface (from a table), with a spring per area; walls push in the same way. The cells then go down the slope of
+/// that surface (from a table), with a spring per area; walls push in the same way. The deeper it is inside, the more
+/// it is pushed away from the middle of the other cell instead: cells that are skewered on each other, and whose
+/// nearest ways out point to both sides, come apart that way. The cells then go down the slope of
 /// the energy of all springs with inertia that is switched off whenever it leads uphill: FIRE (Bitzek et al., Phys.
 /// Rev. Lett. 97 (2006) 170201), which finds its way through a crowd faster than steepest descent.
 class RigidCrowd {
