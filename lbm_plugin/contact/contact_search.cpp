@@ -125,32 +125,40 @@ void Contacts::search() {
 
 /// Finds and loads the held vertices of `mine` that are near the surface of `other`.
 void Contacts::meet(const Encounter& e, Work& work) const {
-  if (!take_blocks(e, work)) return;
-  take_candidates(e, work);
-  for (const std::size_t block : work.blocks) approach(e, block, work);
+  const Bounds near = take_blocks(e, work);
+  if (work.blocks.empty()) return;
+  const Bounds mine = take_candidates(e, near, work);
+  for (const std::size_t block : work.blocks) {
+    if (triangle_boxes_[e.other.triangle_boxes + block].is_near(mine, reach_)) approach(e, block, work);
+  }
   for (const Candidate& candidate : work.candidates) {
-    if (candidate.nearest.triangle >= 0) press(e, candidate.vertex, candidate.nearest, work);
+    if (candidate.nearest < 0) continue;
+    press(e, candidate.vertex, work.nearest[static_cast<std::size_t>(candidate.nearest)], work);
   }
 }
 
-/// The triangles near my cell, where the other cell itself sees it; false where there are none.
-bool Contacts::take_blocks(const Encounter& e, Work& work) const {
+/// The triangles near my cell; returns the box around them, where the other cell itself sees it.
+Bounds Contacts::take_blocks(const Encounter& e, Work& work) const {
   const Bounds my_box = e.my_box.moved(scale(-1, e.shift));
+  Bounds near;
   work.blocks.clear();
   for (std::size_t b = 0; b < surfaces_[e.other.type].triangle_blocks(); ++b) {
-    if (triangle_boxes_[e.other.triangle_boxes + b].is_near(my_box, reach_)) work.blocks.push_back(b);
+    const Bounds& box = triangle_boxes_[e.other.triangle_boxes + b];
+    if (!box.is_near(my_box, reach_)) continue;
+    work.blocks.push_back(b);
+    near.include(box);
   }
-  return !work.blocks.empty();
+  return near;
 }
 
-/// My vertices near those triangles, seen from the other cell.
-void Contacts::take_candidates(const Encounter& e, Work& work) const {
-  Bounds near;
-  for (const std::size_t t : work.blocks) near.include(triangle_boxes_[e.other.triangle_boxes + t]);
+/// My held vertices in and around that box; returns the box around them, as the other cell sees it.
+Bounds Contacts::take_candidates(const Encounter& e, const Bounds& near, Work& work) const {
   const Vec3 back = scale(-1, e.shift);
   const Bounds there = near.moved(e.shift);
+  Bounds mine;
   work.candidates.clear();
   work.groups.clear();
+  work.nearest.clear();
   for (std::size_t b = 0; b < surfaces_[e.mine.type].vertex_blocks(); ++b) {
     if (!vertex_boxes_[e.mine.vertex_boxes + b].is_near(there, reach_)) continue;
     Group group{work.candidates.size(), 0, {}};
@@ -160,11 +168,25 @@ void Contacts::take_candidates(const Encounter& e, Work& work) const {
       const Vec3 point = add(position(vertex), back);
       if (!near.is_near({point, point}, reach_)) continue;
       group.box.include(point);
-      work.candidates.push_back({vertex, point, {-1, {}, {}, reach_ * reach_}});
+      work.candidates.push_back({point, vertex, -1});
     }
     group.last = work.candidates.size();
-    if (group.last > group.first) work.groups.push_back(group);
+    if (group.last == group.first) continue;
+    work.groups.push_back(group);
+    mine.include(group.box);
   }
+  return mine;
+}
+
+/// Whether the box comes within reach of the slab.
+bool Contacts::is_near(const Bounds& box, const Slab& slab) const {
+  double low = 0, high = 0;  // of position . normal in the box
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double a = box.low[axis] * slab.normal[axis], b = box.high[axis] * slab.normal[axis];
+    low += std::min(a, b);
+    high += std::max(a, b);
+  }
+  return (low <= slab.high + reach_) & (high >= slab.low - reach_);
 }
 
 /// Compares the candidates with the triangles of one block.
@@ -173,15 +195,15 @@ void Contacts::approach(const Encounter& e, std::size_t block, Work& work) const
   const Slab& slab = slabs_[e.other.triangle_boxes + block];
   bool is_loaded = false;
   for (const Group& group : work.groups) {
-    if (!group.box.is_near(box, reach_)) continue;
+    if (!group.box.is_near(box, reach_) || !is_near(group.box, slab)) continue;
     for (std::size_t c = group.first; c < group.last; ++c) {
       Candidate& candidate = work.candidates[c];
       const double height = dot(candidate.point, slab.normal);
-      if (height < slab.low - reach_ || height > slab.high + reach_) continue;
-      if (!box.is_near({candidate.point, candidate.point}, reach_)) continue;
+      const bool in_slab = (height >= slab.low - reach_) & (height <= slab.high + reach_);
+      if (!(in_slab & box.is_near({candidate.point, candidate.point}, reach_))) continue;
       if (!is_loaded) load(e.other, block, work.patch);
       is_loaded = true;
-      come_nearer(work.patch, candidate);
+      come_nearer(candidate, work);
     }
   }
 }
@@ -211,9 +233,9 @@ void Contacts::load(const Cell& cell, std::size_t block, Patch& patch) const {
 
 /// Looks for a nearer point among the triangles whose ball and plane are near enough. Of two equally near triangles the
 /// lower number counts, in whatever order they come.
-void Contacts::come_nearer(const Patch& patch, Candidate& candidate) const {
+void Contacts::come_nearer(Candidate& candidate, Work& work) const {
   constexpr double rounding = 1 + 1e-12;
-  Nearest& nearest = candidate.nearest;
+  const Patch& patch = work.patch;
   std::array<double, Patch::size> excess;
   const double reach = reach_ * rounding;
   for (std::size_t n = 0; n < patch.count; ++n) {
@@ -225,12 +247,19 @@ void Contacts::come_nearer(const Patch& patch, Candidate& candidate) const {
   }
   for (std::size_t n = 0; n < patch.count; ++n) {
     if (excess[n] > 0) continue;
-    const std::array<double, 3> weight = nearest_on_triangle(candidate.point, patch.corner[n]);
-    const Vec3 apart = subtract(candidate.point, weighted(weight, patch.corner[n]));
-    const double square = dot(apart, apart);
+    Nearest found{patch.triangle[n], nearest_on_triangle(candidate.point, patch.corner[n]), {}, 0};
+    found.apart = subtract(candidate.point, weighted(found.weight, patch.corner[n]));
+    found.square = dot(found.apart, found.apart);
+    if (candidate.nearest < 0) {
+      if (!(found.square < reach_ * reach_)) continue;
+      candidate.nearest = static_cast<std::int32_t>(work.nearest.size());
+      work.nearest.push_back(found);
+      continue;
+    }
+    Nearest& nearest = work.nearest[static_cast<std::size_t>(candidate.nearest)];
     const bool is_nearer =
-        square < nearest.square || (square == nearest.square && patch.triangle[n] < nearest.triangle);
-    if (is_nearer) nearest = {patch.triangle[n], weight, apart, square};
+        found.square < nearest.square || (found.square == nearest.square && found.triangle < nearest.triangle);
+    if (is_nearer) nearest = found;
   }
 }
 

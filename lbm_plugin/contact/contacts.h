@@ -69,9 +69,9 @@ class Contacts {
   };
   /// The nearest point of a surface to a vertex.
   struct Nearest {
-    std::int32_t triangle = -1;  ///< of its type
-    std::array<double, 3> weight{};
-    Vec3 apart{};  ///< from there to the vertex, um
+    std::int32_t triangle;  ///< of its type
+    std::array<double, 3> weight;
+    Vec3 apart;  ///< from there to the vertex, um
     double square;
   };
   /// The vertices of one cell before the surface of another, which is moved by `shift`.
@@ -95,11 +95,11 @@ class Contacts {
     Vec3 normal;       ///< unit
     double low, high;  ///< of position . normal, um
   };
-  /// A held vertex that is near the other cell's box, and what it is nearest to.
+  /// A held vertex that is near the other cell's box.
   struct Candidate {
-    std::int32_t vertex;
     Vec3 point;  ///< as the other cell sees it: moved by -shift
-    Nearest nearest;
+    std::int32_t vertex;
+    std::int32_t nearest;  ///< among Work::nearest; -1: nothing within reach so far
   };
   /// The candidates of one block of vertices: [first, last), and the box around them.
   struct Group {
@@ -111,6 +111,7 @@ class Contacts {
     std::vector<std::size_t> blocks;    ///< of the other cell's triangles that are near my cell
     std::vector<Candidate> candidates;  ///< my vertices that are near those
     std::vector<Group> groups;
+    std::vector<Nearest> nearest;  ///< of the candidates that are within reach of a triangle
     Patch patch;
     std::vector<Hit> hits;
     bool has_unknown_corner = false;
@@ -135,11 +136,12 @@ class Contacts {
   Slab slab_around(const Cell& cell, std::size_t block) const;
   void search();
   void meet(const Encounter& encounter, Work& work) const;
-  bool take_blocks(const Encounter& encounter, Work& work) const;
-  void take_candidates(const Encounter& encounter, Work& work) const;
+  Bounds take_blocks(const Encounter& encounter, Work& work) const;
+  Bounds take_candidates(const Encounter& encounter, const Bounds& near, Work& work) const;
+  bool is_near(const Bounds& box, const Slab& slab) const;
   void approach(const Encounter& encounter, std::size_t block, Work& work) const;
   void load(const Cell& cell, std::size_t block, Patch& patch) const;
-  void come_nearer(const Patch& patch, Candidate& candidate) const;
+  void come_nearer(Candidate& candidate, Work& work) const;
   void press(const Encounter& encounter, std::int32_t vertex, const Nearest& nearest, Work& work) const;
   void apply(const Hit& hit, std::span<ContactLoad> loads);
   void push_from_walls(std::span<ContactLoad> loads);
