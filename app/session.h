@@ -33,6 +33,7 @@ struct Session {
 using Action = std::function<int(Session&)>;
 Action add_run(CLI::App& program);
 Action add_resume(CLI::App& program);
+Action add_pack(CLI::App& program);
 Action add_plan(CLI::App& program);
 Action add_validate(CLI::App& program);
 Action add_mesh(CLI::App& program);

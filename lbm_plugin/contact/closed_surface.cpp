@@ -7,6 +7,9 @@
 #include <string>
 #include <tuple>
 
+#include "geometry/bounds.h"
+#include "geometry/morton.h"
+
 namespace npfem::flow {
 
 ClosedSurface::ClosedSurface(std::span<const double> shape, std::span<const std::int32_t> triangles)
@@ -29,6 +32,43 @@ ClosedSurface::ClosedSurface(std::span<const double> shape, std::span<const std:
     for (const std::int32_t v : triangle_[t]) around_[--first_around_[static_cast<std::size_t>(v)]] = t;
   }
   join_edges();
+  make_blocks(shape);
+}
+
+void ClosedSurface::make_blocks(std::span<const double> shape) {
+  const auto place = [&](std::int32_t v) {
+    const double* const x = shape.data() + 3 * v;
+    return Vec3{x[0], x[1], x[2]};
+  };
+  Bounds box;
+  for (std::size_t v = 0; v < vertices(); ++v) box.include(place(static_cast<std::int32_t>(v)));
+  const auto sorted = [&](std::size_t count, const auto& middle) {
+    std::vector<std::pair<std::uint64_t, std::int32_t>> numbers;
+    for (std::int32_t n = 0; n < static_cast<std::int32_t>(count); ++n) {
+      numbers.emplace_back(morton_number(middle(n), box), n);
+    }
+    std::sort(numbers.begin(), numbers.end());
+    std::vector<std::int32_t> order;
+    for (const auto& entry : numbers) order.push_back(entry.second);
+    return order;
+  };
+  vertex_order_ = sorted(vertices(), place);
+  triangle_order_ = sorted(triangles(), [&](std::int32_t t) {
+    const auto& ids = triangle_[static_cast<std::size_t>(t)];
+    return scale(1.0 / 3.0, add(place(ids[0]), add(place(ids[1]), place(ids[2]))));
+  });
+  for (std::size_t b = 0; b < triangle_blocks(); ++b) {
+    first_corner_.push_back(block_corners_.size());
+    std::vector<std::int32_t> corners;
+    for (const std::int32_t t : triangle_block(b)) {
+      const auto& ids = triangle_[static_cast<std::size_t>(t)];
+      corners.insert(corners.end(), ids.begin(), ids.end());
+    }
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    block_corners_.insert(block_corners_.end(), corners.begin(), corners.end());
+  }
+  first_corner_.push_back(block_corners_.size());
 }
 
 void ClosedSurface::join_edges() {

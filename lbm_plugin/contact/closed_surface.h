@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -24,6 +25,17 @@ class ClosedSurface {
   /// Area (um2) that belongs to a vertex at rest: a third of the triangles around it.
   double area(std::size_t vertex) const { return area_[vertex]; }
   double largest_area() const;
+
+  static constexpr std::size_t per_block = 8;
+  /// Vertices and triangles in small blocks of neighbours, which a box around each dismisses together.
+  std::size_t vertex_blocks() const { return (vertex_order_.size() + per_block - 1) / per_block; }
+  std::size_t triangle_blocks() const { return (triangle_order_.size() + per_block - 1) / per_block; }
+  std::span<const std::int32_t> vertex_block(std::size_t b) const { return block(vertex_order_, b); }
+  std::span<const std::int32_t> triangle_block(std::size_t b) const { return block(triangle_order_, b); }
+  /// The vertices of the triangles of a block, each once.
+  std::span<const std::int32_t> corners_of_block(std::size_t b) const {
+    return std::span(block_corners_).subspan(first_corner_[b], first_corner_[b + 1] - first_corner_[b]);
+  }
 
   /// The outward direction, of any length, at the point of triangle t with these weights: the normal of the face, on an
   /// edge the sum of the two unit normals, at a vertex the sum of all around it weighted by their angles. The side of
@@ -69,11 +81,19 @@ class ClosedSurface {
   static double angle(const Corners& corner, std::size_t at);
 
   void join_edges();
+  void make_blocks(std::span<const double> shape);
+
+  static std::span<const std::int32_t> block(const std::vector<std::int32_t>& order, std::size_t b) {
+    return std::span(order).subspan(per_block * b, std::min(per_block, order.size() - per_block * b));
+  }
 
   std::vector<std::array<std::int32_t, 3>> triangle_;
   std::vector<std::array<std::size_t, 3>> across_;  // the triangle beyond the edge opposite each corner
   std::vector<std::size_t> first_around_, around_;  // by vertex: the triangles around it
   std::vector<double> area_;
+  std::vector<std::int32_t> vertex_order_, triangle_order_;  // along a space-filling curve
+  std::vector<std::size_t> first_corner_;                    // by block of triangles, into block_corners_
+  std::vector<std::int32_t> block_corners_;
 };
 
 }  // namespace npfem::flow

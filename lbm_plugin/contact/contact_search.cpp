@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MPL-2.0
-// How Contacts finds which vertices are near which triangles.
+// How Contacts finds which vertices are near which surfaces: cells whose boxes come near each other, blocks of their
+// vertices and triangles, and at last single ones.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "contact/contacts.h"
@@ -10,137 +10,111 @@
 namespace npfem::flow {
 namespace {
 
-constexpr int parts = 32;              // of the grid, searched side by side by the threads
+constexpr int parts = 64;              // of the pairs, searched side by side by the threads
 constexpr double no_direction = 1e-9;  // um: nearer than this the line between two points says nothing
 
 }  // namespace
 
-Vec3 Contacts::position(std::int32_t vertex) const {
-  const double* const at = &vertices_->position[3 * static_cast<std::size_t>(vertex)];
-  return {at[0], at[1], at[2]};
-}
-
-Corners Contacts::corners(std::int32_t triangle, const std::array<int, 3>& image) const {
-  const auto& ids = corner_[static_cast<std::size_t>(triangle)];
-  const Vec3 shift{image[0] * period_[0], image[1] * period_[1], image[2] * period_[2]};
-  return {add(position(ids[0]), shift), add(position(ids[1]), shift), add(position(ids[2]), shift)};
-}
-
-/// Finds the triangles whose corners are all known; nothing to do where the vertices are those of the last time.
-void Contacts::list_triangles() {
+void Contacts::list_cells() {
   const std::vector<VertexId>& id = vertices_->id;
-  if (id == listed_) return;
+  is_held_.assign(id.size(), 0);
+  for (const int v : vertices_->held) is_held_[static_cast<std::size_t>(v)] = 1;
   cells_.clear();
   place_.clear();
-  corner_.clear();
-  triangle_in_type_.clear();
-  cell_of_.resize(id.size());
+  std::size_t vertex_boxes = 0, triangle_boxes = 0;
   for (std::size_t first = 0, last = 0; first < id.size(); first = last) {
     while (last < id.size() && id[last].cell == id[first].cell) ++last;
-    Cell cell{};
-    cell.type = type_of_[static_cast<std::size_t>(id[first].cell)];
-    cell.first_vertex = first;
-    cell.last_vertex = last;
-    std::fill(cell_of_.begin() + static_cast<std::ptrdiff_t>(first),
-              cell_of_.begin() + static_cast<std::ptrdiff_t>(last), static_cast<std::int32_t>(cells_.size()));
-    list_triangles_of(cell);
+    const std::size_t type = type_of_[static_cast<std::size_t>(id[first].cell)];
+    const ClosedSurface& surface = surfaces_[type];
+    Cell cell{type, first, last, -1, vertex_boxes, triangle_boxes, false};
+    if (last - first < surface.vertices()) {
+      cell.first_place = static_cast<std::ptrdiff_t>(place_.size());
+      place_.resize(place_.size() + surface.vertices(), -1);
+      for (std::size_t v = first; v < last; ++v) {
+        place_[static_cast<std::size_t>(cell.first_place + id[v].vertex)] = static_cast<std::int32_t>(v);
+      }
+    }
     cells_.push_back(cell);
+    vertex_boxes += surface.vertex_blocks();
+    triangle_boxes += surface.triangle_blocks();
   }
-  balls_.resize(corner_.size());
-  meets_itself_.resize(cells_.size());
-  listed_ = id;
-}
-
-void Contacts::list_triangles_of(Cell& cell) {
-  const ClosedSurface& surface = surfaces_[cell.type];
-  cell.first_place = place_.size();
-  place_.resize(place_.size() + surface.vertices(), -1);
-  std::int32_t* const place = place_.data() + cell.first_place;
-  for (std::size_t v = cell.first_vertex; v < cell.last_vertex; ++v) {
-    place[vertices_->id[v].vertex] = static_cast<std::int32_t>(v);
-  }
-  cell.first_triangle = corner_.size();
-  for (std::size_t t = 0; t < surface.triangles(); ++t) {
-    const auto& ids = surface.triangle(t);
-    const std::array<std::int32_t, 3> known{place[ids[0]], place[ids[1]], place[ids[2]]};
-    if (known[0] < 0 || known[1] < 0 || known[2] < 0) continue;
-    corner_.push_back(known);
-    triangle_in_type_.push_back(static_cast<std::int32_t>(t));
-  }
-  cell.last_triangle = corner_.size();
+  cell_boxes_.resize(cells_.size());
+  vertex_boxes_.resize(vertex_boxes);
+  triangle_boxes_.resize(triangle_boxes);
+  slabs_.resize(triangle_boxes);
 }
 
 void Contacts::measure() {
   const auto count = static_cast<int>(cells_.size());
 #pragma omp parallel for schedule(static)
-  for (int c = 0; c < count; ++c) measure(cells_[static_cast<std::size_t>(c)]);
-  largest_ball_ = 0;
-  for (const Cell& cell : cells_) largest_ball_ = std::max(largest_ball_, cell.largest_ball);
+  for (int c = 0; c < count; ++c) measure(static_cast<std::size_t>(c));
 }
 
-/// Balls around the triangles of a cell, and whether it could meet itself or a wall.
-void Contacts::measure(Cell& cell) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto number = static_cast<std::size_t>(&cell - cells_.data());
-  Vec3 low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
-  for (std::size_t i = 3 * cell.first_vertex; i < 3 * cell.last_vertex; ++i) {
-    low[i % 3] = std::min(low[i % 3], vertices_->position[i]);
-    high[i % 3] = std::max(high[i % 3], vertices_->position[i]);
+/// Boxes around a cell and its blocks, and whether it comes near a wall.
+void Contacts::measure(std::size_t number) {
+  Cell& cell = cells_[number];
+  const ClosedSurface& surface = surfaces_[cell.type];
+  const auto box_of = [&](std::span<const std::int32_t> block) {
+    Bounds box;
+    for (const std::int32_t v : block) {
+      const std::int32_t known = place(cell, v);
+      if (known >= 0) box.include(position(known));
+    }
+    return box;
+  };
+  Bounds whole;
+  for (std::size_t b = 0; b < surface.vertex_blocks(); ++b) {
+    whole.include(vertex_boxes_[cell.vertex_boxes + b] = box_of(surface.vertex_block(b)));
   }
-  meets_itself_[number] = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (period_[axis] > 0 && high[axis] - low[axis] + reach_ >= period_[axis]) meets_itself_[number] = 1;
+  for (std::size_t b = 0; b < surface.triangle_blocks(); ++b) {
+    triangle_boxes_[cell.triangle_boxes + b] = box_of(surface.corners_of_block(b));
+    slabs_[cell.triangle_boxes + b] = slab_around(cell, b);
   }
-  const Vec3 middle = scale(0.5, add(low, high));
-  const double half = 0.5 * norm(subtract(high, low));
+  cell_boxes_[number] = whole;
+  const double half = 0.5 * norm(subtract(whole.high, whole.low));
+  const Vec3 middle = scale(0.5, add(whole.low, whole.high));
   cell.near_wall = wall_reach_ > 0 && domain_.wall_distance(middle).distance < half + wall_reach_;
-  cell.largest_ball = 0;
-  if (!(reach_ > 0)) return;
-  double largest = 0;
-  for (std::size_t t = cell.first_triangle; t < cell.last_triangle; ++t) {
-    const auto& ids = corner_[t];
-    const Vec3 a = position(ids[0]), b = position(ids[1]), c = position(ids[2]);
-    const Vec3 centre = scale(1.0 / 3.0, add(a, add(b, c)));
-    const Vec3 ca = subtract(a, centre), cb = subtract(b, centre), cc = subtract(c, centre);
-    const double square = std::max({dot(ca, ca), dot(cb, cb), dot(cc, cc)});
-    const Vec3 at = grid_.carry(centre).at;
-    const float radius = static_cast<float>(std::sqrt(square)) + slack_;
-    balls_[t] = {static_cast<float>(at[0]),         static_cast<float>(at[1]),   static_cast<float>(at[2]), radius,
-                 static_cast<std::int32_t>(number), static_cast<std::int32_t>(t)};
-    largest = std::max(largest, static_cast<double>(radius));
-  }
-  cell.largest_ball = largest;
 }
 
-/// Sorts triangles and held vertices into the grid.
-void Contacts::sort_held() {
-  grid_.fill(balls_, reach_ + largest_ball_ + static_cast<double>(slack_), meets_itself_);
-  const std::vector<int>& held = vertices_->held;
-  carried_.resize(held.size());
-  held_.resize(held.size());
-  held_cube_.resize(held.size());
-  held_begin_.assign(grid_.cubes() + 1, 0);
-  for (std::size_t h = 0; h < held.size(); ++h) {
-    carried_[h] = grid_.carry(position(held[h]));
-    const std::size_t cube = grid_.cube_of(carried_[h].at);
-    held_cube_[h] = static_cast<std::int32_t>(cube);
-    ++held_begin_[cube];
+/// Across the mean normal of the block.
+Contacts::Slab Contacts::slab_around(const Cell& cell, std::size_t block) const {
+  const ClosedSurface& surface = surfaces_[cell.type];
+  Vec3 normal{};
+  for (const std::int32_t t : surface.triangle_block(block)) {
+    const auto& ids = surface.triangle(static_cast<std::size_t>(t));
+    const std::array<std::int32_t, 3> known{place(cell, ids[0]), place(cell, ids[1]), place(cell, ids[2])};
+    if (known[0] < 0 || known[1] < 0 || known[2] < 0) continue;
+    const Vec3 a = position(known[0]);
+    normal = add(normal, cross(subtract(position(known[1]), a), subtract(position(known[2]), a)));
   }
-  for (std::size_t cube = 1; cube < held_begin_.size(); ++cube) held_begin_[cube] += held_begin_[cube - 1];
-  for (std::size_t h = held.size(); h-- > 0;) {
-    held_[--held_begin_[static_cast<std::size_t>(held_cube_[h])]] = static_cast<std::int32_t>(h);
+  const double length = norm(normal);
+  Slab slab{length > 0 ? scale(1 / length, normal) : Vec3{1, 0, 0}, Bounds::infinity, -Bounds::infinity};
+  for (const std::int32_t v : surface.corners_of_block(block)) {
+    const std::int32_t known = place(cell, v);
+    if (known < 0) continue;
+    const double height = dot(position(known), slab.normal);
+    slab.low = std::min(slab.low, height);
+    slab.high = std::max(slab.high, height);
   }
+  return slab;
 }
 
 void Contacts::search() {
+  box_pairs_.find(cell_boxes_, reach_, pairs_);
   work_.resize(parts);
 #pragma omp parallel for schedule(dynamic)
   for (int part = 0; part < parts; ++part) {
     Work& work = work_[static_cast<std::size_t>(part)];
     work.hits.clear();
-    const std::size_t first = grid_.cubes() * static_cast<std::size_t>(part) / parts;
-    const std::size_t last = grid_.cubes() * (static_cast<std::size_t>(part) + 1) / parts;
-    for (std::size_t cube = first; cube < last; ++cube) search_cube(cube, work);
+    const std::size_t first = pairs_.size() * static_cast<std::size_t>(part) / parts;
+    const std::size_t last = pairs_.size() * (static_cast<std::size_t>(part) + 1) / parts;
+    for (std::size_t p = first; p < last; ++p) {
+      const auto a = static_cast<std::size_t>(pairs_[p].first), b = static_cast<std::size_t>(pairs_[p].second);
+      const auto& n = pairs_[p].image;
+      const Vec3 shift{n[0] * period_[0], n[1] * period_[1], n[2] * period_[2]};
+      meet({cells_[a], cells_[b], cell_boxes_[a], cell_boxes_[b], shift}, work);
+      meet({cells_[b], cells_[a], cell_boxes_[b], cell_boxes_[a], scale(-1, shift)}, work);
+    }
   }
   for (const Work& work : work_) {
     if (work.has_unknown_corner) {
@@ -149,89 +123,175 @@ void Contacts::search() {
   }
 }
 
-void Contacts::search_cube(std::size_t cube, Work& work) const {
-  if (held_begin_[cube] == held_begin_[cube + 1]) return;
-  const std::int32_t alone = grid_.cell_around(cube);
-  if (alone == TriangleGrid::nothing) return;
-  for (std::size_t n = held_begin_[cube]; n < held_begin_[cube + 1]; ++n) {
-    const auto held = static_cast<std::size_t>(held_[n]);
-    if (cell_of_[static_cast<std::size_t>(vertices_->held[held])] != alone) search_vertex(held, cube, work);
+/// Finds and loads the held vertices of `mine` that are near the surface of `other`.
+void Contacts::meet(const Encounter& e, Work& work) const {
+  const Bounds near = take_blocks(e, work);
+  if (work.blocks.empty()) return;
+  const Bounds mine = take_candidates(e, near, work);
+  for (const std::size_t block : work.blocks) {
+    if (triangle_boxes_[e.other.triangle_boxes + block].is_near(mine, reach_)) approach(e, block, work);
+  }
+  for (const Candidate& candidate : work.candidates) {
+    if (candidate.nearest < 0) continue;
+    press(e, candidate.vertex, work.nearest[static_cast<std::size_t>(candidate.nearest)], work);
   }
 }
 
-void Contacts::search_vertex(std::size_t held, std::size_t cube, Work& work) const {
-  const std::int32_t vertex = vertices_->held[held];
-  const std::int32_t own = cell_of_[static_cast<std::size_t>(vertex)];
-  const bool meets_itself = meets_itself_[static_cast<std::size_t>(own)] != 0;
-  const TriangleGrid::Carried& carried = carried_[held];
-  const Vec3 point = position(vertex);
-  const auto x = static_cast<float>(carried.at[0]), y = static_cast<float>(carried.at[1]),
-             z = static_cast<float>(carried.at[2]);
-  const auto reach = static_cast<float>(reach_) + slack_;
-  const std::array<float, 3> period{static_cast<float>(period_[0]), static_cast<float>(period_[1]),
-                                    static_cast<float>(period_[2])};
+/// The triangles near my cell; returns the box around them, where the other cell itself sees it.
+Bounds Contacts::take_blocks(const Encounter& e, Work& work) const {
+  const Bounds my_box = e.my_box.moved(scale(-1, e.shift));
+  Bounds near;
+  work.blocks.clear();
+  for (std::size_t b = 0; b < surfaces_[e.other.type].triangle_blocks(); ++b) {
+    const Bounds& box = triangle_boxes_[e.other.triangle_boxes + b];
+    if (!box.is_near(my_box, reach_)) continue;
+    work.blocks.push_back(b);
+    near.include(box);
+  }
+  return near;
+}
+
+/// My held vertices in and around that box; returns the box around them, as the other cell sees it.
+Bounds Contacts::take_candidates(const Encounter& e, const Bounds& near, Work& work) const {
+  const Vec3 back = scale(-1, e.shift);
+  const Bounds there = near.moved(e.shift);
+  Bounds mine;
+  work.candidates.clear();
+  work.groups.clear();
   work.nearest.clear();
-  grid_.visit_around(cube, [&](const TriangleBall& ball, const std::array<int, 3>& shift) {
-    if (ball.cell == own && !meets_itself) return;
-    const float dx = ball.x + static_cast<float>(shift[0]) * period[0] - x;
-    const float dy = ball.y + static_cast<float>(shift[1]) * period[1] - y;
-    const float dz = ball.z + static_cast<float>(shift[2]) * period[2] - z;
-    const float within = reach + ball.radius;
-    if (dx * dx + dy * dy + dz * dz > within * within) return;
-    const Corners here = corners(ball.triangle, {});
-    const Vec3 centre = scale(1.0 / 3.0, add(here[0], add(here[1], here[2])));
-    const std::array<int, 3> turns = grid_.carry(centre).turns;
-    Nearest candidate{ball.cell, {}, ball.triangle, {}, {}, 0};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      candidate.image[axis] = shift[axis] + carried.turns[axis] - turns[axis];
+  for (std::size_t b = 0; b < surfaces_[e.mine.type].vertex_blocks(); ++b) {
+    if (!vertex_boxes_[e.mine.vertex_boxes + b].is_near(there, reach_)) continue;
+    Group group{work.candidates.size(), 0, {}};
+    for (const std::int32_t v : surfaces_[e.mine.type].vertex_block(b)) {
+      const std::int32_t vertex = place(e.mine, v);
+      if (vertex < 0 || !is_held_[static_cast<std::size_t>(vertex)]) continue;
+      const Vec3 point = add(position(vertex), back);
+      if (!near.is_near({point, point}, reach_)) continue;
+      group.box.include(point);
+      work.candidates.push_back({point, vertex, -1});
     }
-    if (ball.cell == own && candidate.image == std::array<int, 3>{}) return;
-    const Corners corner = corners(ball.triangle, candidate.image);
-    candidate.weight = nearest_on_triangle(point, corner);
-    candidate.apart = subtract(point, weighted(candidate.weight, corner));
-    candidate.square = dot(candidate.apart, candidate.apart);
-    if (candidate.square < reach_ * reach_) note(candidate, work.nearest);
-  });
-  for (const Nearest& nearest : work.nearest) meet(vertex, nearest, work);
+    group.last = work.candidates.size();
+    if (group.last == group.first) continue;
+    work.groups.push_back(group);
+    mine.include(group.box);
+  }
+  return mine;
 }
 
-/// Keeps the nearest point of each cell and image; of two equally near ones that of the lower triangle.
-void Contacts::note(Nearest candidate, std::vector<Nearest>& nearest) const {
-  const auto number = [this](const Nearest& n) { return triangle_in_type_[static_cast<std::size_t>(n.triangle)]; };
-  for (Nearest& known : nearest) {
-    if (known.cell != candidate.cell || known.image != candidate.image) continue;
-    const bool is_nearer =
-        candidate.square < known.square || (candidate.square == known.square && number(candidate) < number(known));
-    if (is_nearer) known = candidate;
-    return;
+/// Whether the box comes within reach of the slab.
+bool Contacts::is_near(const Bounds& box, const Slab& slab) const {
+  double low = 0, high = 0;  // of position . normal in the box
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double a = box.low[axis] * slab.normal[axis], b = box.high[axis] * slab.normal[axis];
+    low += std::min(a, b);
+    high += std::max(a, b);
   }
-  nearest.push_back(candidate);
+  return (low <= slab.high + reach_) & (high >= slab.low - reach_);
+}
+
+/// Compares the candidates with the triangles of one block.
+void Contacts::approach(const Encounter& e, std::size_t block, Work& work) const {
+  const Bounds& box = triangle_boxes_[e.other.triangle_boxes + block];
+  const Slab& slab = slabs_[e.other.triangle_boxes + block];
+  bool is_loaded = false;
+  for (const Group& group : work.groups) {
+    if (!group.box.is_near(box, reach_) || !is_near(group.box, slab)) continue;
+    for (std::size_t c = group.first; c < group.last; ++c) {
+      Candidate& candidate = work.candidates[c];
+      const double height = dot(candidate.point, slab.normal);
+      const bool in_slab = (height >= slab.low - reach_) & (height <= slab.high + reach_);
+      if (!(in_slab & box.is_near({candidate.point, candidate.point}, reach_))) continue;
+      if (!is_loaded) load(e.other, block, work.patch);
+      is_loaded = true;
+      come_nearer(candidate, work);
+    }
+  }
+}
+
+void Contacts::load(const Cell& cell, std::size_t block, Patch& patch) const {
+  const ClosedSurface& surface = surfaces_[cell.type];
+  patch.count = 0;
+  for (const std::int32_t t : surface.triangle_block(block)) {
+    const auto& ids = surface.triangle(static_cast<std::size_t>(t));
+    const std::array<std::int32_t, 3> known{place(cell, ids[0]), place(cell, ids[1]), place(cell, ids[2])};
+    if (known[0] < 0 || known[1] < 0 || known[2] < 0) continue;
+    const std::size_t n = patch.count++;
+    Corners& corner = patch.corner[n];
+    for (std::size_t c = 0; c < 3; ++c) corner[c] = position(known[c]);
+    const Vec3 centre = scale(1.0 / 3.0, add(corner[0], add(corner[1], corner[2])));
+    double square = 0;
+    for (const Vec3& at : corner) square = std::max(square, dot(subtract(at, centre), subtract(at, centre)));
+    const Vec3 normal = cross(subtract(corner[1], corner[0]), subtract(corner[2], corner[0]));
+    const double length = norm(normal);
+    const Vec3 unit = length > 0 ? scale(1 / length, normal) : Vec3{};
+    patch.triangle[n] = t;
+    patch.x[n] = centre[0], patch.y[n] = centre[1], patch.z[n] = centre[2];
+    patch.radius[n] = std::sqrt(square);
+    patch.nx[n] = unit[0], patch.ny[n] = unit[1], patch.nz[n] = unit[2];
+  }
+}
+
+/// Looks for a nearer point among the triangles whose ball and plane are near enough. Of two equally near triangles the
+/// lower number counts, in whatever order they come.
+void Contacts::come_nearer(Candidate& candidate, Work& work) const {
+  constexpr double rounding = 1 + 1e-12;
+  const Patch& patch = work.patch;
+  std::array<double, Patch::size> excess;
+  const double reach = reach_ * rounding;
+  for (std::size_t n = 0; n < patch.count; ++n) {
+    const double dx = candidate.point[0] - patch.x[n], dy = candidate.point[1] - patch.y[n],
+                 dz = candidate.point[2] - patch.z[n];
+    const double to_plane = dx * patch.nx[n] + dy * patch.ny[n] + dz * patch.nz[n];
+    const double within = reach + patch.radius[n] * rounding;
+    excess[n] = std::max(dx * dx + dy * dy + dz * dz - within * within, to_plane * to_plane - reach * reach);
+  }
+  for (std::size_t n = 0; n < patch.count; ++n) {
+    if (excess[n] > 0) continue;
+    Nearest found{patch.triangle[n], nearest_on_triangle(candidate.point, patch.corner[n]), {}, 0};
+    found.apart = subtract(candidate.point, weighted(found.weight, patch.corner[n]));
+    found.square = dot(found.apart, found.apart);
+    if (candidate.nearest < 0) {
+      if (!(found.square < reach_ * reach_)) continue;
+      candidate.nearest = static_cast<std::int32_t>(work.nearest.size());
+      work.nearest.push_back(found);
+      continue;
+    }
+    Nearest& nearest = work.nearest[static_cast<std::size_t>(candidate.nearest)];
+    const bool is_nearer =
+        found.square < nearest.square || (found.square == nearest.square && found.triangle < nearest.triangle);
+    if (is_nearer) nearest = found;
+  }
 }
 
 /// On which side of the surface the vertex is, and the force that follows.
-void Contacts::meet(std::int32_t vertex, const Nearest& nearest, Work& work) const {
-  const Cell& mine = cells_[static_cast<std::size_t>(cell_of_[static_cast<std::size_t>(vertex)])];
-  const Cell& other = cells_[static_cast<std::size_t>(nearest.cell)];
-  const ClosedSurface& surface = surfaces_[other.type];
-  const auto in_type = static_cast<std::size_t>(triangle_in_type_[static_cast<std::size_t>(nearest.triangle)]);
-  const Vec3 outward = surface.outward(in_type, nearest.weight, [&](auto v) -> Vec3 {
-    const std::int32_t known = place_[other.first_place + static_cast<std::size_t>(v)];
+void Contacts::press(const Encounter& e, std::int32_t vertex, const Nearest& nearest, Work& work) const {
+  const ClosedSurface& surface = surfaces_[e.other.type];
+  const auto triangle = static_cast<std::size_t>(nearest.triangle);
+  const Vec3 outward = surface.outward(triangle, nearest.weight, [&](auto v) -> Vec3 {
+    const std::int32_t known = place(e.other, static_cast<std::int32_t>(v));
     if (known >= 0) return position(known);
     work.has_unknown_corner = true;
     return {};
   });
   const double side = dot(nearest.apart, outward) < 0 ? -1 : 1;
   const double apart = std::sqrt(nearest.square), distance = side * apart;
-  const ContactLaw& its = law(mine.type, other.type);
+  const ContactLaw& its = law(e.mine.type, e.other.type);
   if (!(distance < its.reach())) return;
   const double length = norm(outward);
-  const Vec3 direction = apart > no_direction ? scale(side / apart, nearest.apart)
-                         : length > 0         ? scale(1 / length, outward)
-                                              : Vec3{};
-  const auto in_cell = static_cast<std::size_t>(vertices_->id[static_cast<std::size_t>(vertex)].vertex);
-  const double half_area = 0.5 * surfaces_[mine.type].area(in_cell);
-  work.hits.push_back({vertex, corner_[static_cast<std::size_t>(nearest.triangle)], nearest.weight,
-                       scale(half_area * its.traction(distance), direction), 2 * half_area * its.slope(distance),
+  Vec3 direction{};
+  if (apart > no_direction) {
+    direction = scale(side / apart, nearest.apart);
+  } else if (length > 0) {
+    direction = scale(1 / length, outward);
+  }
+  const auto in_type = static_cast<std::size_t>(vertices_->id[static_cast<std::size_t>(vertex)].vertex);
+  const double half_area = 0.5 * surfaces_[e.mine.type].area(in_type);
+  const auto& ids = surface.triangle(triangle);
+  work.hits.push_back({vertex,
+                       {place(e.other, ids[0]), place(e.other, ids[1]), place(e.other, ids[2])},
+                       nearest.weight,
+                       scale(half_area * its.traction(distance), direction),
+                       2 * half_area * its.slope(distance),
                        distance});
 }
 

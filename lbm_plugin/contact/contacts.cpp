@@ -7,20 +7,14 @@
 
 namespace npfem::flow {
 
-Contacts::Contacts(const Setup& setup, const TriangleGrid::Window& window) : domain_(setup.domain), grid_(window) {
+Contacts::Contacts(const Setup& setup) : domain_(setup.domain), box_pairs_(setup.domain) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (domain_.periodic()[axis]) period_[axis] = domain_.size()[axis];
-    slack_ = std::max(slack_, static_cast<float>(1e-6 * window.size[axis]));
   }
   for (const CellType& type : setup.types) surfaces_.emplace_back(type.shape, type.triangles);
   for (const CellStart& cell : setup.cells) type_of_.push_back(static_cast<std::size_t>(cell.type));
   take_laws(setup.contact);
   for (const ContactLaw& law : laws_) reach_ = std::max(reach_, law.reach());
-  for (const double period : period_) {
-    if (!(period > 0) || reach_ <= 0.5 * period) continue;
-    throw std::invalid_argument("contact between cells: it reaches over " + std::to_string(reach_) + " um, more than " +
-                                "half of the " + std::to_string(period) + " um after which the domain repeats itself");
-  }
   for (const ContactLaw& law : wall_laws_) wall_reach_ = std::max(wall_reach_, law.reach());
 }
 
@@ -66,10 +60,9 @@ void Contacts::evaluate(const ContactVertices& vertices, std::span<ContactLoad> 
   force_of_walls_ = {};
   finding_ = {0, reach_};
   if (!active()) return;
-  list_triangles();
+  list_cells();
   measure();
   if (reach_ > 0) {
-    sort_held();
     search();
     for (const Work& work : work_) {
       for (const Hit& hit : work.hits) apply(hit, loads);
@@ -104,21 +97,22 @@ void Contacts::apply(const Hit& hit, std::span<ContactLoad> loads) {
 }
 
 void Contacts::push_from_walls(std::span<ContactLoad> loads) {
-  for (const int held : vertices_->held) {
-    const auto v = static_cast<std::size_t>(held);
-    const Cell& cell = cells_[static_cast<std::size_t>(cell_of_[v])];
+  for (const Cell& cell : cells_) {
     if (!cell.near_wall) continue;
     const ContactLaw& its = wall_laws_[cell.type];
-    const WallDistance wall = domain_.wall_distance(position(held));
-    if (!(wall.distance < its.reach())) continue;
-    const double area = surfaces_[cell.type].area(static_cast<std::size_t>(vertices_->id[v].vertex));
-    ContactLoad load;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      load.force[axis] = fixed_force(area * its.traction(wall.distance) * wall.normal[axis]);
-      force_of_walls_[axis] += load.force[axis];
+    for (std::size_t v = cell.first_vertex; v < cell.last_vertex; ++v) {
+      if (!is_held_[v]) continue;
+      const WallDistance wall = domain_.wall_distance(position(static_cast<std::int32_t>(v)));
+      if (!(wall.distance < its.reach())) continue;
+      const double area = surfaces_[cell.type].area(static_cast<std::size_t>(vertices_->id[v].vertex));
+      ContactLoad load;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        load.force[axis] = fixed_force(area * its.traction(wall.distance) * wall.normal[axis]);
+        force_of_walls_[axis] += load.force[axis];
+      }
+      load.stiffness = fixed_stiffness(area * its.slope(wall.distance));
+      loads[v].add(load);
     }
-    load.stiffness = fixed_stiffness(area * its.slope(wall.distance));
-    loads[v].add(load);
   }
 }
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "contact/box_pairs.h"
 #include "contact/closed_surface.h"
 #include "contact/contact_vertices.h"
 #include "contact/fixed_point.h"
-#include "contact/triangle_grid.h"
 #include "simulation/setup.h"
 
 namespace npfem::flow {
@@ -29,9 +29,8 @@ namespace npfem::flow {
 /// (fixed_point.h). The loads are the same bits for any number of ranks and threads.
 class Contacts {
  public:
-  /// `window`: where the held vertices are. std::invalid_argument where a law is negative, infinite or too strong for
-  /// the numbers that carry it.
-  Contacts(const Setup& setup, const TriangleGrid::Window& window);
+  /// std::invalid_argument where a law is negative, infinite or too strong for the numbers that carry it.
+  explicit Contacts(const Setup& setup);
 
   bool active() const { return reach_ > 0 || wall_reach_ > 0; }
   /// Distance (um) beyond which no contact acts, walls apart; 0 where there is none.
@@ -55,20 +54,10 @@ class Contacts {
   /// A cell that has known vertices.
   struct Cell {
     std::size_t type;
-    std::size_t first_vertex, last_vertex;      ///< among the vertices
-    std::size_t first_triangle, last_triangle;  ///< among the known triangles
-    std::size_t first_place;                    ///< of its type's vertex 0 in place_
-    double largest_ball;                        ///< um
-    char near_wall;
-  };
-  /// Where the surface of one cell, in one image, comes nearest to a vertex.
-  struct Nearest {
-    std::int32_t cell;
-    std::array<int, 3> image;  ///< periods by which the cell is moved
-    std::int32_t triangle;
-    std::array<double, 3> weight;
-    Vec3 apart;  ///< from there to the vertex, um
-    double square;
+    std::size_t first_vertex, last_vertex;     ///< among the vertices
+    std::ptrdiff_t first_place;                ///< of its type's vertex 0 in place_; -1: all are known, in order
+    std::size_t vertex_boxes, triangle_boxes;  ///< the first of its blocks'
+    bool near_wall;
   };
   struct Hit {
     std::int32_t vertex;
@@ -78,9 +67,52 @@ class Contacts {
     double stiffness;
     double distance;
   };
-  /// What the search through a part of the grid needs and finds.
+  /// The nearest point of a surface to a vertex.
+  struct Nearest {
+    std::int32_t triangle;  ///< of its type
+    std::array<double, 3> weight;
+    Vec3 apart;  ///< from there to the vertex, um
+    double square;
+  };
+  /// The vertices of one cell before the surface of another, which is moved by `shift`.
+  struct Encounter {
+    const Cell& mine;
+    const Cell& other;
+    const Bounds &my_box, &other_box;  ///< um, both where they are
+    Vec3 shift;
+  };
+  /// A few neighbouring triangles of the other cell, side by side for the processor: their balls and planes.
+  struct Patch {
+    static constexpr std::size_t size = ClosedSurface::per_block;
+    std::size_t count = 0;
+    std::array<std::int32_t, size> triangle;
+    std::array<Corners, size> corner;
+    std::array<double, size> x, y, z, radius;  ///< um
+    std::array<double, size> nx, ny, nz;       ///< unit normal
+  };
+  /// Between two parallel planes: all corners of a block of triangles.
+  struct Slab {
+    Vec3 normal;       ///< unit
+    double low, high;  ///< of position . normal, um
+  };
+  /// A held vertex that is near the other cell's box.
+  struct Candidate {
+    Vec3 point;  ///< as the other cell sees it: moved by -shift
+    std::int32_t vertex;
+    std::int32_t nearest;  ///< among Work::nearest; -1: nothing within reach so far
+  };
+  /// The candidates of one block of vertices: [first, last), and the box around them.
+  struct Group {
+    std::size_t first, last;
+    Bounds box;
+  };
+  /// What the search through a part of the pairs needs and finds.
   struct Work {
-    std::vector<Nearest> nearest;  ///< to one vertex, by cell and image
+    std::vector<std::size_t> blocks;    ///< of the other cell's triangles that are near my cell
+    std::vector<Candidate> candidates;  ///< my vertices that are near those
+    std::vector<Group> groups;
+    std::vector<Nearest> nearest;  ///< of the candidates that are within reach of a triangle
+    Patch patch;
     std::vector<Hit> hits;
     bool has_unknown_corner = false;
   };
@@ -89,18 +121,28 @@ class Contacts {
   void take_laws(const ContactSettings& settings);
   void require_sound(const ContactLaw& law, double area, const std::string& between) const;
 
-  Vec3 position(std::int32_t vertex) const;
-  Corners corners(std::int32_t triangle, const std::array<int, 3>& image) const;
-  void list_triangles();
-  void list_triangles_of(Cell& cell);
+  Vec3 position(std::int32_t vertex) const {
+    const double* const at = &vertices_->position[3 * static_cast<std::size_t>(vertex)];
+    return {at[0], at[1], at[2]};
+  }
+  /// A vertex of the cell's type among the known vertices; -1 where it is not known.
+  std::int32_t place(const Cell& cell, std::int32_t vertex) const {
+    if (cell.first_place < 0) return static_cast<std::int32_t>(cell.first_vertex) + vertex;
+    return place_[static_cast<std::size_t>(cell.first_place + vertex)];
+  }
+  void list_cells();
   void measure();
-  void measure(Cell& cell);
-  void sort_held();
+  void measure(std::size_t number);
+  Slab slab_around(const Cell& cell, std::size_t block) const;
   void search();
-  void search_cube(std::size_t cube, Work& work) const;
-  void search_vertex(std::size_t held, std::size_t cube, Work& work) const;
-  void note(Nearest candidate, std::vector<Nearest>& nearest) const;
-  void meet(std::int32_t vertex, const Nearest& nearest, Work& work) const;
+  void meet(const Encounter& encounter, Work& work) const;
+  Bounds take_blocks(const Encounter& encounter, Work& work) const;
+  Bounds take_candidates(const Encounter& encounter, const Bounds& near, Work& work) const;
+  bool is_near(const Bounds& box, const Slab& slab) const;
+  void approach(const Encounter& encounter, std::size_t block, Work& work) const;
+  void load(const Cell& cell, std::size_t block, Patch& patch) const;
+  void come_nearer(Candidate& candidate, Work& work) const;
+  void press(const Encounter& encounter, std::int32_t vertex, const Nearest& nearest, Work& work) const;
   void apply(const Hit& hit, std::span<ContactLoad> loads);
   void push_from_walls(std::span<ContactLoad> loads);
 
@@ -111,23 +153,17 @@ class Contacts {
   std::vector<ContactLaw> laws_;         // between two types
   std::vector<ContactLaw> wall_laws_;    // by type
   double reach_ = 0, wall_reach_ = 0;
-  float slack_ = 0;  // um, of positions in single precision
-  TriangleGrid grid_;
+  BoxPairs box_pairs_;
 
   const ContactVertices* vertices_ = nullptr;
-  std::vector<VertexId> listed_;  // the vertices for which the following four are
+  std::vector<char> is_held_;  // by vertex
   std::vector<Cell> cells_;
-  std::vector<std::int32_t> cell_of_;                // by vertex
-  std::vector<std::int32_t> place_;                  // by cell and vertex of its type: -1 where it is not known
-  std::vector<std::array<std::int32_t, 3>> corner_;  // by known triangle
-  std::vector<std::int32_t> triangle_in_type_;       // by known triangle
-  std::vector<TriangleBall> balls_;                  // by known triangle
-  std::vector<char> meets_itself_;                   // by cell: its own image may come within reach
-  double largest_ball_ = 0;
-
-  std::vector<TriangleGrid::Carried> carried_;  // by held vertex
-  std::vector<std::size_t> held_begin_;         // by cube, into held_
-  std::vector<std::int32_t> held_, held_cube_;
+  std::vector<std::int32_t> place_;   // by cell and vertex of its type: -1 where it is not known
+  std::vector<Bounds> cell_boxes_;    // by cell
+  std::vector<Bounds> vertex_boxes_;  // by cell and block of vertices
+  std::vector<Bounds> triangle_boxes_;
+  std::vector<Slab> slabs_;  // as triangle_boxes_
+  std::vector<BoxPair> pairs_;
   std::vector<Work> work_;
   std::array<std::int64_t, 3> force_of_walls_{};
   Finding finding_;

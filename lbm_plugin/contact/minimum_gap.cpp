@@ -8,17 +8,13 @@
 #include <limits>
 
 #include "contact/closed_surface.h"
+#include "geometry/bounds.h"
 #include "geometry/vec3.h"
 
 namespace npfem::flow {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-struct Bounds {
-  Vec3 low{kInfinity, kInfinity, kInfinity};
-  Vec3 high{-kInfinity, -kInfinity, -kInfinity};
-};
 
 /// A triangle and the ball around it, by which it is dismissed cheaply.
 struct BoundedTriangle {
@@ -33,10 +29,7 @@ Vec3 vertex(const CellSurface& cell, std::size_t v) {
 
 Bounds bounds_of(const CellSurface& cell) {
   Bounds bounds;
-  for (std::size_t i = 0; i < cell.positions.size(); ++i) {
-    bounds.low[i % 3] = std::min(bounds.low[i % 3], cell.positions[i]);
-    bounds.high[i % 3] = std::max(bounds.high[i % 3], cell.positions[i]);
-  }
+  for (std::size_t v = 0; v < cell.positions.size() / 3; ++v) bounds.include(vertex(cell, v));
   return bounds;
 }
 

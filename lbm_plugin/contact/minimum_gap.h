@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "communicator/communicator.h"
+#include "contact/nearest_point.h"
 #include "simulation/setup.h"
 
 namespace npfem::flow {

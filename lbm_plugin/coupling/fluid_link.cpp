@@ -12,19 +12,6 @@ namespace npfem::flow {
 
 namespace {
 
-/// Where the held vertices of a rank are: its block, in um.
-TriangleGrid::Window window_of(const Domain& domain, const Box& own) {
-  TriangleGrid::Window window{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const int nodes = own.end[axis] - own.begin[axis];
-    window.low[axis] = own.begin[axis] * domain.dx;
-    window.size[axis] = nodes * domain.dx;
-    if (domain.periodic()[axis]) window.period[axis] = domain.size()[axis];
-    window.is_whole[axis] = domain.periodic()[axis] && nodes == domain.nodes[axis];
-  }
-  return window;
-}
-
 double longest_edge(const CellPopulation& cells, std::span<const CellType> types, std::span<const double> xyz) {
   double square = 0;
   for (const CellPopulation::Cell& cell : cells.cells()) {
@@ -56,7 +43,7 @@ FluidLink::FluidLink(const Setup& setup, const Units& units, Communicator& commu
       lattice_(lattice),
       exchange_(communicator, lattice.decomposition(), units.dx),
       boundary_(setup.coupling.kernel_points, lattice),
-      contacts_(setup, window_of(setup.domain, lattice.nodes().own())),
+      contacts_(setup),
       types_(setup.types),
       has_walls_(setup.domain.has_walls()),
       communicator_(communicator) {}

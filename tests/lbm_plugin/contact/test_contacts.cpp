@@ -29,12 +29,6 @@ Setup box_of(double size, DomainKind kind = DomainKind::periodic_box) {
   return setup;
 }
 
-TriangleGrid::Window whole(const Domain& domain) {
-  TriangleGrid::Window window{{0, 0, 0}, domain.size(), {}, domain.periodic()};
-  for (std::size_t axis = 0; axis < 3; ++axis) window.period[axis] = domain.periodic()[axis] ? domain.size()[axis] : 0;
-  return window;
-}
-
 /// Cells of a setup as they stand, all vertices held.
 class Suspension {
  public:
@@ -54,7 +48,7 @@ class Suspension {
   }
 
   std::vector<ContactLoad> loads() {
-    Contacts contacts(setup, whole(setup.domain));
+    Contacts contacts(setup);
     std::vector<ContactLoad> all(vertices.id.size());
     contacts.evaluate(vertices, all);
     finding = contacts.finding();
@@ -227,30 +221,39 @@ TEST(Contacts, DoNotDependOnTheNumbersOfTheCells) {
   }
 }
 
-// What the ranks of a parallel run do: each finds the contacts of some vertices, in a window of its own, and all are
-// added up.
+// What the ranks of a parallel run do: each finds the contacts of some vertices, knows the vertices around, and all
+// loads are added up.
 TEST(Contacts, MayBeFoundInParts) {
   Suspension suspension = crowd(16, 30);
   const auto all = suspension.loads();
-  std::vector<ContactLoad> sum(all.size()), part(all.size());
-  const Vec3 size = suspension.setup.domain.size();
-  for (int corner = 0; corner < 8; ++corner) {
-    TriangleGrid::Window window{{}, scale(0.5, size), size, {}};
-    for (std::size_t axis = 0; axis < 3; ++axis) window.low[axis] = (corner >> axis & 1) * 0.5 * size[axis];
-    ContactVertices some = suspension.vertices;
-    some.held.clear();
-    for (const int v : suspension.vertices.held) {
-      bool inside = true;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double x = suspension.vertices.position[3 * std::size_t(v) + axis];
-        const double along = x - size[axis] * std::floor(x / size[axis]) - window.low[axis];
-        inside = inside && along >= 0 && along < window.size[axis];
-      }
-      if (inside) some.held.push_back(v);
+  std::vector<ContactLoad> sum(all.size());
+  const double half = 0.5 * suspension.setup.domain.size()[0], around = law.range + 2.2;  // the longest edge, um
+  const auto distance_to_octant = [&](std::size_t v, int corner) {
+    double most = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double along = suspension.vertices.position[3 * v + axis] - (corner >> axis & 1) * half;
+      const double turned = along - 2 * half * std::floor(along / (2 * half));
+      most = std::max(most, turned < half ? 0.0 : std::min(turned - half, 2 * half - turned));
     }
-    Contacts contacts(suspension.setup, window);
+    return most;
+  };
+  for (int corner = 0; corner < 8; ++corner) {
+    ContactVertices some;
+    std::vector<std::size_t> number;
+    for (std::size_t v = 0; v < all.size(); ++v) {
+      const double distance = distance_to_octant(v, corner);
+      if (distance > around) continue;
+      if (distance == 0) some.held.push_back(static_cast<int>(number.size()));
+      number.push_back(v);
+      some.id.push_back(suspension.vertices.id[v]);
+      const double* const x = &suspension.vertices.position[3 * v];
+      some.position.insert(some.position.end(), x, x + 3);
+    }
+    EXPECT_LT(number.size(), all.size());
+    Contacts contacts(suspension.setup);
+    std::vector<ContactLoad> part(number.size());
     contacts.evaluate(some, part);
-    for (std::size_t v = 0; v < sum.size(); ++v) sum[v].add(part[v]);
+    for (std::size_t n = 0; n < number.size(); ++n) sum[number[n]].add(part[n]);
   }
   EXPECT_EQ(sum, all);
 }
@@ -369,7 +372,7 @@ TEST(Contacts, RefuseLawsThatTheirNumbersCannotCarry) {
   setup.types = {testing::sphere(2, 2)};
   const auto made = [&](const ContactLaw& its) {
     setup.contact.cells = its;
-    Contacts contacts(setup, whole(setup.domain));
+    Contacts contacts(setup);
   };
   EXPECT_NO_THROW(made({0.5, 100, 0, 0}));
   EXPECT_THROW(made({0.5, 1e5, 0, 0}), std::invalid_argument);
