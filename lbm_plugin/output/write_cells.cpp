@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "output/principal_stretches.h"
 #include "output/vtk_file.h"
 
 namespace npfem::flow {
@@ -52,6 +53,12 @@ std::vector<float> to_float(const std::vector<double>& values) {
   return {values.begin(), values.end()};
 }
 
+std::vector<float> to_float(const std::vector<PrincipalStretches>& stretches, double PrincipalStretches::*which) {
+  std::vector<float> values;
+  for (const PrincipalStretches& stretch : stretches) values.push_back(static_cast<float>(stretch.*which));
+  return values;
+}
+
 template <class T>
 std::span<const T> view(const std::vector<T>& values) {
   return values;
@@ -75,12 +82,16 @@ void write_cells(Communicator& communicator, const std::filesystem::path& path, 
   const std::size_t force = file.declare("force_pN", Type::float32, 3, 3 * vertices);
   const std::size_t cell_id = file.declare("cell_id", Type::int32, 1, triangles);
   const std::size_t cell_type = file.declare("cell_type", Type::int32, 1, triangles);
+  const std::size_t larger = file.declare("larger_stretch", Type::float32, 1, triangles);
+  const std::size_t smaller = file.declare("smaller_stretch", Type::float32, 1, triangles);
 
   for (const CellState& cell : local_cells) {
     const auto id = static_cast<std::size_t>(cell.id);
     const std::int64_t vertex = layout.first_vertex[id];
     const std::int64_t triangle = layout.first_triangle[id];
-    std::vector<std::int32_t> corners = setup.types[static_cast<std::size_t>(cell.type)].triangles;
+    const CellType& type = setup.types[static_cast<std::size_t>(cell.type)];
+    const auto stretches = principal_stretches(type.shape, cell.position, type.triangles);
+    std::vector<std::int32_t> corners = type.triangles;
     for (std::int32_t& corner : corners) corner += static_cast<std::int32_t>(vertex);
     const std::size_t count = corners.size() / 3;
     std::vector<std::int32_t> ends(count);
@@ -96,6 +107,8 @@ void write_cells(Communicator& communicator, const std::filesystem::path& path, 
     file.put(force, 3 * vertex, view(to_float(cell.force)));
     file.put(cell_id, triangle, view(std::vector<std::int32_t>(count, cell.id)));
     file.put(cell_type, triangle, view(std::vector<std::int32_t>(count, cell.type)));
+    file.put(larger, triangle, view(to_float(stretches, &PrincipalStretches::larger)));
+    file.put(smaller, triangle, view(to_float(stretches, &PrincipalStretches::smaller)));
   }
 
   const std::string body =
@@ -103,7 +116,8 @@ void write_cells(Communicator& communicator, const std::filesystem::path& path, 
       "\" NumberOfCells=\"" + std::to_string(triangles) + "\">\n<Points>\n" + file.element(points) +
       "</Points>\n<Cells>\n" + file.element(connectivity) + file.element(offsets) + file.element(types) +
       "</Cells>\n<PointData>\n" + file.element(velocity) + file.element(force) + "</PointData>\n<CellData>\n" +
-      file.element(cell_id) + file.element(cell_type) + "</CellData>\n</Piece>\n</UnstructuredGrid>\n";
+      file.element(cell_id) + file.element(cell_type) + file.element(larger) + file.element(smaller) +
+      "</CellData>\n</Piece>\n</UnstructuredGrid>\n";
   file.write(communicator, path, "UnstructuredGrid", body);
 }
 
