@@ -8,6 +8,7 @@
 
 #include "checkpoint/checkpoint_folder.h"
 #include "file.h"
+#include "output/view_script.h"
 #include "output/write_cells.h"
 #include "output/write_fluid.h"
 
@@ -99,6 +100,7 @@ RunOutput::RunOutput(Communicator& communicator, std::filesystem::path folder, c
       fluid_collection_(folder_ / "fluid.pvd"),
       cell_table_(communicator, folder_ / "cells.csv", scene.setup, resumed_at),
       rheology_table_(communicator, folder_ / "rheology.csv", scene.setup, resumed_at) {
+  on_first_rank([&] { text::write_file((folder_ / "view.py").string(), view_script()); });
   if (!resumed_at) return;
   // A checkpoint is written after all output of its step: what there is of that step is whole.
   const bool first = communicator_.rank() == 0;
@@ -126,7 +128,7 @@ void RunOutput::write(const Simulation& simulation, bool cells, bool fluid, bool
     if (cells) {
       const std::string file = numbered("cells", step, "vtu");
       write_cells(communicator_, folder_ / file, time, simulation.setup(), local, into_box_);
-      add_to(cells_collection_, time, file);
+      on_first_rank([&] { cells_collection_.add(time, file); });
       cells_.last = step;
     }
     if (table) {
@@ -139,16 +141,16 @@ void RunOutput::write(const Simulation& simulation, bool cells, bool fluid, bool
   if (fluid) {
     const std::string file = numbered("fluid", step, "vti");
     write_fluid(communicator_, folder_ / file, time, simulation.lattice(), simulation.units());
-    add_to(fluid_collection_, time, file);
+    on_first_rank([&] { fluid_collection_.add(time, file); });
     fluid_.last = step;
   }
 }
 
-void RunOutput::add_to(Collection& collection, double time_us, const std::string& file) {
+void RunOutput::on_first_rank(const std::function<void()>& write) {
   std::string failure;
   if (communicator_.rank() == 0) {
     try {
-      collection.add(time_us, file);
+      write();
     } catch (const text::FileError& error) {
       failure = error.what();
     }
