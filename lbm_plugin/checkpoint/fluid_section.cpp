@@ -29,10 +29,10 @@ class NodeCursor {
  public:
   explicit NodeCursor(const Lattice& lattice) : lattice_(lattice) { skip_solid(); }
 
-  bool done() const { return at_[2] == lattice_.grid().size(2); }
+  bool done() const { return at_[2] == lattice_.nodes().size(2); }
   const Index3& at() const { return at_; }
   std::int64_t id() const {
-    const Index3& first = lattice_.grid().own().begin;
+    const Index3& first = lattice_.nodes().own().begin;
     return lattice_.decomposition().global_id(first[0] + at_[0], first[1] + at_[1], first[2] + at_[2]);
   }
   void advance() {
@@ -44,7 +44,7 @@ class NodeCursor {
   void next() {
     for (int axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
-      if (++at_[a] < lattice_.grid().size(axis) || axis == 2) return;
+      if (++at_[a] < lattice_.nodes().size(axis) || axis == 2) return;
       at_[a] = 0;
     }
   }
@@ -90,7 +90,7 @@ std::vector<NodeRecord> read_nodes(CheckpointFile& file, std::int64_t first, std
 /// False for a node that is not fluid here.
 bool set_node(Lattice& lattice, const NodeRecord& record) {
   const Index3 nodes = lattice.decomposition().nodes();
-  const Index3& first = lattice.grid().own().begin;
+  const Index3& first = lattice.nodes().own().begin;
   const auto id = static_cast<std::int64_t>(record[0]);
   const int ix = static_cast<int>(id % nodes[0]) - first[0];
   const int iy = static_cast<int>(id / nodes[0] % nodes[1]) - first[1];

@@ -28,6 +28,12 @@ struct Incoming {
   Bytes bytes;
 };
 
+// A message whose length is known before it comes.
+struct Expected {
+  int source = 0;
+  std::span<std::byte> bytes;
+};
+
 // A piece of a file, written at a byte offset from its beginning.
 struct Chunk {
   std::int64_t offset = 0;
@@ -65,9 +71,11 @@ class Communicator {
   // comes. `incoming` is replaced by the messages received, in order of source rank. Empty messages are not delivered.
   virtual void exchange(std::span<const Outgoing> outgoing, std::vector<Incoming>& incoming) = 0;
 
-  // One message out, one in, both of known length; either side may be kNoRank, which sends or receives nothing.
-  // Not collective: called by the pairs concerned.
-  virtual void send_receive(int destination, std::span<const double> send, int source, std::span<double> receive) = 0;
+  // Messages between ranks that both know of them and their lengths, under way while the caller works on; one set at a
+  // time. What the spans refer to must stay until finish_messages(). Called by the ranks concerned; no rank sends to
+  // itself.
+  virtual void start_messages(std::span<const Outgoing> outgoing, std::span<const Expected> expected) = 0;
+  virtual void finish_messages() = 0;
 
   // Element by element over the ranks. The order of a floating-point sum is not fixed: for diagnostics only, never for
   // anything that steers the run.

@@ -16,7 +16,7 @@ namespace npfem::flow {
 namespace {
 
 constexpr int kExchangeTag = 1;
-constexpr int kSendReceiveTag = 2;
+constexpr int kMessageTag = 2;
 constexpr std::size_t kLargestWrite = std::size_t{1} << 30;  // one MPI call counts in int
 
 int count_of(std::size_t size) {
@@ -99,7 +99,8 @@ class MpiCommunicator final : public Communicator {
   int size() const override { return size_; }
 
   void exchange(std::span<const Outgoing> outgoing, std::vector<Incoming>& incoming) override;
-  void send_receive(int destination, std::span<const double> send, int source, std::span<double> receive) override;
+  void start_messages(std::span<const Outgoing> outgoing, std::span<const Expected> expected) override;
+  void finish_messages() override;
 
   void sum(std::span<double> values) override { reduce(values, MPI_DOUBLE, MPI_SUM); }
   void sum(std::span<std::int64_t> values) override { reduce(values, MPI_INT64_T, MPI_SUM); }
@@ -137,6 +138,7 @@ class MpiCommunicator final : public Communicator {
   int size_ = 1;
   std::vector<std::int64_t> send_bytes_, receive_bytes_;  // of exchange(), by rank
   std::vector<MPI_Request> requests_;
+  std::vector<MPI_Request> messages_;  // of start_messages()
 };
 
 void MpiCommunicator::exchange(std::span<const Outgoing> outgoing, std::vector<Incoming>& incoming) {
@@ -173,15 +175,21 @@ void MpiCommunicator::exchange(std::span<const Outgoing> outgoing, std::vector<I
   MPI_Waitall(count_of(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
 }
 
-void MpiCommunicator::send_receive(int destination, std::span<const double> send, int source,
-                                   std::span<double> receive) {
-  if (destination == rank_ && source == rank_) {
-    std::copy_n(send.begin(), receive.size(), receive.begin());
-    return;
+void MpiCommunicator::start_messages(std::span<const Outgoing> outgoing, std::span<const Expected> expected) {
+  messages_.clear();
+  for (const Expected& message : expected) {
+    MPI_Irecv(message.bytes.data(), count_of(message.bytes.size()), MPI_BYTE, message.source, kMessageTag,
+              MPI_COMM_WORLD, &messages_.emplace_back());
   }
-  MPI_Sendrecv(send.data(), count_of(send.size()), MPI_DOUBLE, destination == kNoRank ? MPI_PROC_NULL : destination,
-               kSendReceiveTag, receive.data(), count_of(receive.size()), MPI_DOUBLE,
-               source == kNoRank ? MPI_PROC_NULL : source, kSendReceiveTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  for (const Outgoing& message : outgoing) {
+    MPI_Isend(message.bytes.data(), count_of(message.bytes.size()), MPI_BYTE, message.destination, kMessageTag,
+              MPI_COMM_WORLD, &messages_.emplace_back());
+  }
+}
+
+void MpiCommunicator::finish_messages() {
+  MPI_Waitall(count_of(messages_.size()), messages_.data(), MPI_STATUSES_IGNORE);
+  messages_.clear();
 }
 
 void MpiCommunicator::broadcast(Bytes& bytes, int root) {

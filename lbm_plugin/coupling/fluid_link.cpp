@@ -12,8 +12,8 @@ FluidLink::FluidLink(const Setup& setup, const Units& units, Communicator& commu
     : units_(units),
       lattice_(lattice),
       exchange_(communicator, lattice.decomposition(), units.dx),
-      boundary_(setup.coupling.kernel_points, lattice.decomposition(), communicator.rank()),
-      repulsion_(setup, lattice.decomposition(), lattice.grid().own()),
+      boundary_(setup.coupling.kernel_points, lattice),
+      repulsion_(setup, lattice.decomposition(), lattice.nodes().own()),
       has_walls_(setup.domain.kind != DomainKind::periodic_box) {}
 
 void FluidLink::locate(const CellPopulation& cells) {
@@ -26,7 +26,7 @@ void FluidLink::locate(const CellPopulation& cells) {
 void FluidLink::interpolate() {
   lattice_.update_velocity();
   held_velocity_.resize(3 * held_count());
-  boundary_.interpolate(lattice_, exchange_.known().in_nodes, exchange_.known().held, held_velocity_);
+  boundary_.interpolate(exchange_.known().in_nodes, exchange_.known().held, held_velocity_);
   for (double& component : held_velocity_) component *= units_.velocity();
 }
 
@@ -79,8 +79,8 @@ void FluidLink::apply(std::span<const double> forces) {
   for (double& component : known_force_) component /= units_.force();
   const KnownVertices& known = exchange_.known();
   lattice_.clear_force();
-  boundary_.spread(lattice_, known.in_nodes, known_force_);
-  if (has_walls_) force_on_walls_ = boundary_.force_on_walls(lattice_, known.in_nodes, known.held, known_force_);
+  boundary_.spread(known.in_nodes, known_force_);
+  if (has_walls_) force_on_walls_ = boundary_.force_on_walls(known.in_nodes, known.held, known_force_);
 }
 
 Vec3 FluidLink::external_force() const {

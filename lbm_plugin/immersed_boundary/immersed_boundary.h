@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "immersed_boundary/stencil.h"
+#include "immersed_boundary/transfer.h"
 #include "lattice/lattice.h"
 
 namespace npfem::flow {
@@ -19,42 +21,37 @@ namespace npfem::flow {
 /// and force_on_walls() says what the wall has borne. (Weights renormalised over the fluid nodes would keep all the
 /// force in the fluid, but let a vertex slide along a wall, and into it, at the speed of the nodes above.)
 ///
+/// Threads share the vertices in interpolation and layers of nodes in spreading, where each node sums its forces in the
+/// order of the vertices.
+///
 /// Positions in node spacings, forces and velocities in lattice units, all arrays xyzxyz...
 class ImmersedBoundary {
  public:
-  /// kernel_points: 2, 3 or 4. std::invalid_argument otherwise.
-  ImmersedBoundary(int kernel_points, const Decomposition& decomposition, int rank);
+  /// kernel_points: 2, 3 or 4. std::invalid_argument otherwise, or where the lattice holds no forces of nodes. The
+  /// lattice must outlive this.
+  ImmersedBoundary(int kernel_points, Lattice& lattice);
 
   /// Velocity at positions[3 v] for every v of `held`, the vertices whose node this rank holds; after
   /// Lattice::update_velocity(). velocities[3 i] belongs to held[i].
-  void interpolate(const Lattice& lattice, std::span<const double> positions, std::span<const int> held,
-                   std::span<double> velocities) const;
+  void interpolate(std::span<const double> positions, std::span<const int> held, std::span<double> velocities) const;
 
   /// Adds the forces to the own nodes of this rank, vertex after vertex in the order given.
-  void spread(Lattice& lattice, std::span<const double> positions, std::span<const double> forces) const;
+  void spread(std::span<const double> positions, std::span<const double> forces);
 
   /// The part of the forces at the vertices `held` that solid nodes take.
-  Vec3 force_on_walls(const Lattice& lattice, std::span<const double> positions, std::span<const int> held,
+  Vec3 force_on_walls(std::span<const double> positions, std::span<const int> held,
                       std::span<const double> forces) const;
 
  private:
+  bool near_wall(const Index3& node) const;
+  void find_strips_near_walls();
   template <int Points>
-  using LocalNodes = std::array<std::array<int, Points>, 3>;
-
-  template <int Points>
-  LocalNodes<Points> nodes_to_read(const Vec3& position, const Stencil<Points>& stencil) const;
-  template <int Points>
-  bool nodes_to_write(const Stencil<Points>& stencil, LocalNodes<Points>& nodes) const;
-  template <int Points>
-  Vec3 velocity_at(const Lattice& lattice, const Vec3& position) const;
-  template <int Points>
-  void spread_one(Lattice& lattice, const Vec3& position, const Vec3& force) const;
-  template <int Points>
-  double weight_on_walls(const Lattice& lattice, const Vec3& position) const;
+  double weight_on_walls(const Vec3& position) const;
 
   int kernel_points_;
-  Decomposition decomposition_;
-  Box own_;
+  Lattice& lattice_;
+  NodeTable table_;
+  std::vector<std::uint8_t> near_wall_;  // by strip: a stencil of one of its nodes may touch a node that is not fluid
 };
 
 }  // namespace npfem::flow

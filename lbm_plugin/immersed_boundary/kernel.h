@@ -18,7 +18,7 @@ struct Kernel;
 /// Linear interpolation (hat function).
 template <>
 struct Kernel<2> {
-  static std::array<double, 2> weights(double offset) { return {1.0 - offset, offset}; }
+  [[gnu::always_inline]] static std::array<double, 2> weights(double offset) { return {1.0 - offset, offset}; }
 };
 
 /// Roma, Peskin & Berger, J. Comput. Phys. 153 (1999) 509: the squares of the weights sum to 1/2 wherever the vertex
@@ -27,7 +27,7 @@ struct Kernel<2> {
 ///          = (5 - 3|r| - sqrt(1 - 3 (1 - |r|)^2)) / 6,  1/2 <= |r| <= 3/2
 template <>
 struct Kernel<3> {
-  static std::array<double, 3> weights(double offset) {
+  [[gnu::always_inline]] static std::array<double, 3> weights(double offset) {
     const double root = std::sqrt(1.0 - 3.0 * offset * offset);
     return {(2.0 - 3.0 * offset - root) / 6.0, (1.0 + root) / 3.0, (2.0 + 3.0 * offset - root) / 6.0};
   }
@@ -39,7 +39,7 @@ struct Kernel<3> {
 ///          = (5 - 2|r| - sqrt(-7 + 12|r| - 4 r^2)) / 8,  1 <= |r| <= 2
 template <>
 struct Kernel<4> {
-  static std::array<double, 4> weights(double offset) {
+  [[gnu::always_inline]] static std::array<double, 4> weights(double offset) {
     const double root = std::sqrt(1.0 + 4.0 * offset - 4.0 * offset * offset);
     const double low = 3.0 - 2.0 * offset;
     const double high = 1.0 + 2.0 * offset;

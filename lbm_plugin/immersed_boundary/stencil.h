@@ -16,8 +16,8 @@
 namespace npfem::flow {
 
 /// A floored position as an index, for positions that are finite; out of the range of int it stays at the end of it.
-inline int index_of(double floored) {
-  return static_cast<int>(std::clamp(floored, -1e9, 1e9));
+[[gnu::always_inline]] inline int index_of(double floored) {
+  return static_cast<int>(floored < -1e9 ? -1e9 : (floored > 1e9 ? 1e9 : floored));
 }
 
 /// The node whose unit cube holds the position, unwrapped.
@@ -44,7 +44,7 @@ struct Stencil {
   Index3 first;
   std::array<std::array<double, Points>, 3> weight;
 
-  explicit Stencil(const Vec3& position) {
+  [[gnu::always_inline]] explicit Stencil(const Vec3& position) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double from_node_zero = position[axis] - 0.5;
       // Three points: the nearest node. Two or four: the nearest node below.

@@ -29,8 +29,9 @@ struct Boundary {
   Kind kind = Kind::velocity;
   Vec3 velocity{};               // lattice units
   double density_deviation = 0;  // rho - 1 = 3 p, of a pressure face
-  // Share of `velocity` at a node beyond the boundary, by its global index: the profile of an inlet. Empty: 1.
-  std::function<double(int ix, int iy, int iz)> profile{};
+  // Share of `velocity` by position in node spacings, node (i, j, k) standing at (i + 1/2, j + 1/2, k + 1/2): the
+  // profile of an inlet. Empty: 1.
+  std::function<double(const Vec3& position)> profile{};
 };
 
 struct Geometry {

@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
-
-#include "lattice/collide.h"
-#include "lattice/compensated_sum.h"
 
 namespace npfem::flow {
 namespace {
@@ -18,11 +15,15 @@ namespace {
 using d3q19::kDirections;
 using d3q19::kVelocity;
 
+void require_relaxation_time(double tau, const char* name) {
+  if (tau > 0.5 && std::isfinite(tau)) return;
+  throw std::invalid_argument(std::string("relaxation time ") + name + " = " + std::to_string(tau) +
+                              "; it must exceed 1/2, where the viscosity is zero");
+}
+
 LatticeOptions checked(const LatticeOptions& options) {
-  if (!(options.tau > 0.5) || !std::isfinite(options.tau)) {
-    throw std::invalid_argument("relaxation time tau = " + std::to_string(options.tau) +
-                                "; it must exceed 1/2, where the viscosity is zero");
-  }
+  require_relaxation_time(options.tau, "tau");
+  if (options.inside_tau != 0) require_relaxation_time(options.inside_tau, "inside_tau");
   if (!(options.magic > 0.0) || !std::isfinite(options.magic)) {
     throw std::invalid_argument("magic parameter " + std::to_string(options.magic) + "; it must be positive");
   }
@@ -33,12 +34,11 @@ LatticeOptions checked(const LatticeOptions& options) {
 }
 
 // A geometry that fails on one rank fails on all.
-NodeMap agreed_node_map(Communicator& communicator, const Decomposition& decomposition, const LocalGrid& grid,
-                        const Geometry& geometry) {
+NodeMap agreed_node_map(Communicator& communicator, const Decomposition& decomposition, const Geometry& geometry) {
   std::optional<NodeMap> map;
   std::string failure;
   try {
-    map.emplace(decomposition, grid, geometry);
+    map.emplace(decomposition, communicator.rank(), geometry);
   } catch (const std::exception& error) {
     failure = error.what();
   }
@@ -47,27 +47,20 @@ NodeMap agreed_node_map(Communicator& communicator, const Decomposition& decompo
   return std::move(*map);
 }
 
-// Through a face leave the populations that move towards it.
-FaceComponents leaving_populations() {
-  FaceComponents components;
-  for (int i = 1; i < kDirections; ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const int c = kVelocity[std::size_t(i)][axis];
-      if (c != 0) components[axis][c < 0 ? 0 : 1].push_back(i);
-    }
-  }
-  return components;
+template <class Real>
+Lattice::Numbers<Real> numbers_for(const NodeMap& nodes, bool node_force) {
+  const std::size_t strips = nodes.strips();
+  const std::size_t vectors = node_force ? strips * 24 : 0;
+  return {AlignedArray<Real>(strips * std::size_t{kStripNumbers}), AlignedArray<Real>(vectors),
+          AlignedArray<Real>(vectors)};
 }
 
-std::vector<std::array<double, kDirections>> wall_terms(const std::vector<Boundary>& boundaries) {
-  std::vector<std::array<double, kDirections>> terms;
-  for (const Boundary& boundary : boundaries) {
-    auto& term = terms.emplace_back();
-    for (int i = 0; i < kDirections; ++i) {
-      term[std::size_t(i)] = 6.0 * d3q19::weight(i) * d3q19::along(i, boundary.velocity);
-    }
-  }
-  return terms;
+// Rows are shared out among the threads.
+template <class Work>
+void for_each_row(std::span<const NodeMap::Row> rows, Work work) {
+  const std::ptrdiff_t count = std::ssize(rows);
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t r = 0; r < count; ++r) work(rows[std::size_t(r)]);
 }
 
 }  // namespace
@@ -77,120 +70,127 @@ Lattice::Lattice(Communicator& communicator, const Decomposition& decomposition,
     : communicator_(communicator),
       decomposition_(decomposition),
       options_(checked(options)),
-      grid_(decomposition.box(communicator.rank()), kHalo),
-      nodes_(agreed_node_map(communicator, decomposition, grid_, geometry)),
-      wall_term_(wall_terms(geometry.boundaries)),
-      stride_(grid_.component_stride()),
-      populations_(std::size_t(kDirections * stride_)),
-      next_populations_(std::size_t(kDirections * stride_)),
-      force_(std::size_t(3 * stride_)),
-      velocity_(std::size_t(3 * stride_)),
-      population_exchange_(communicator, decomposition, grid_, 1, leaving_populations()),
-      velocity_exchange_(communicator, decomposition, grid_, kHalo, all_components(3)),
-      plane_impulse_(std::size_t(grid_.size(2))) {
-  for (std::ptrdiff_t n = 0; n < grid_.nodes(); ++n) {
-    const NodeType type = nodes_.type(n);
-    if (type == kFluid) continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      velocity_.data()[axis * stride_ + n] = geometry.boundaries[std::size_t(type - 1)].velocity[std::size_t(axis)];
-    }
+      instruction_set_(options.instruction_set.value_or(best_instruction_set())),
+      nodes_(agreed_node_map(communicator, decomposition, geometry)),
+      links_(nodes_, geometry),
+      population_exchange_(communicator, decomposition, nodes_),
+      velocity_exchange_(communicator, decomposition, nodes_) {
+  if (options_.precision == FluidPrecision::double_precision) {
+    numbers_ = numbers_for<double>(nodes_, options_.node_force);
+  } else {
+    numbers_ = numbers_for<float>(nodes_, options_.node_force);
   }
+  if (options_.inside_tau != 0) inside_.assign(nodes_.strips(), 0);
+  set_wall_velocity(geometry);
   initialise([](int, int, int) { return FluidState{}; });
+}
+
+void Lattice::set_wall_velocity(const Geometry& geometry) {
+  if (!options_.node_force) return;
+  visit_numbers([&](auto& numbers) {
+    using Real = std::remove_reference_t<decltype(*numbers.velocity.data())>;
+    for (int iz = -kHalo; iz < nodes_.size(2) + kHalo; ++iz) {
+      for (int iy = -kHalo; iy < nodes_.size(1) + kHalo; ++iy) {
+        for (int ix = -kHalo; ix < nodes_.size(0) + kHalo; ++ix) {
+          const NodeType type = nodes_.type(ix, iy, iz);
+          const NodeNumber node = nodes_.number(ix, iy, iz);
+          if (type == kFluid || node == NodeMap::kNoNode) continue;
+          const Boundary& boundary = geometry.boundaries[std::size_t(type - 1)];
+          if (boundary.kind != Boundary::Kind::velocity) continue;
+          const Index3& first = nodes_.own().begin;
+          const double share = boundary.profile
+                                   ? boundary.profile({ix + first[0] + 0.5, iy + first[1] + 0.5, iz + first[2] + 0.5})
+                                   : 1.0;
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            numbers.velocity.data()[3 * std::size_t(node) + axis] = static_cast<Real>(share * boundary.velocity[axis]);
+          }
+        }
+      }
+    }
+  });
 }
 
 void Lattice::initialise(const std::function<FluidState(int ix, int iy, int iz)>& state) {
   clear_force();
-  const Index3& first = grid_.own().begin;
-  for (int iz = 0; iz < grid_.size(2); ++iz) {
-    for (const FluidRun& run : nodes_.runs(iz)) {
-      for (int k = 0; k < run.length; ++k) {
-        const FluidState node = state(first[0] + run.ix + k, first[1] + run.iy, first[2] + run.iz);
-        for (int i = 0; i < kDirections; ++i) {
-          population(i)[run.first + k] = d3q19::equilibrium(i, node.density_deviation, node.velocity) -
-                                         1.5 * d3q19::weight(i) * d3q19::along(i, options_.body_force);
-        }
-      }
+  const Index3& first = nodes_.own().begin;
+  nodes_.for_each_fluid_node([&](int ix, int iy, int iz) {
+    const FluidState node = state(first[0] + ix, first[1] + iy, first[2] + iz);
+    Populations populations;
+    for (int i = 0; i < kDirections; ++i) {
+      populations[std::size_t(i)] = d3q19::equilibrium(i, node.density_deviation, node.velocity) -
+                                    1.5 * d3q19::weight(i) * d3q19::along(i, options_.body_force);
     }
-  }
-  wall_impulse_ = {};
+    set_populations_at(ix, iy, iz, populations);
+  });
   update_velocity();
 }
 
+template <class Real>
+FluidFields<Real> Lattice::fields(Numbers<Real>& numbers) const {
+  const RelaxationRates rates(options_.tau, options_.magic);
+  const RelaxationRates inside(options_.inside_tau != 0 ? options_.inside_tau : options_.tau, options_.magic);
+  const Vec3& body = options_.body_force;
+  return {numbers.populations.data(),
+          numbers.force.data(),
+          numbers.velocity.data(),
+          inside_.empty() ? nullptr : inside_.data(),
+          odd_step_,
+          options_.collision,
+          {rates, inside},
+          {body[0], body[1], body[2]}};
+}
+
 void Lattice::update_velocity() {
-#pragma omp parallel for schedule(static)
-  for (int iz = 0; iz < grid_.size(2); ++iz) {
-    for (const FluidRun& run : nodes_.runs(iz)) {
-      const double* f = populations_.data();
-      const double* force = force_.data();
-      double* u = velocity_.data();
-      const std::ptrdiff_t stride = stride_;
-#pragma omp simd
-      for (std::ptrdiff_t n = run.first; n < run.first + run.length; ++n) {
-        const Vec3 j = load_pairs(f + n, stride).momentum();
-        u[n] = j[0] + 0.5 * force[n];
-        u[n + stride] = j[1] + 0.5 * force[n + stride];
-        u[n + 2 * stride] = j[2] + 0.5 * force[n + 2 * stride];
-      }
-    }
-  }
-  velocity_exchange_.fill_halo(velocity_.data());
+  if (!options_.node_force) return;
+  visit_numbers([&](auto& numbers) {
+    using Real = std::remove_reference_t<decltype(*numbers.velocity.data())>;
+    const FluidFields<Real> all = fields(numbers);
+    const auto find_velocity = kernels<Real>(instruction_set_).find_velocity;
+    for_each_row(nodes_.rows_near_neighbours(), [&](NodeMap::Row row) { find_velocity(all, row); });
+    for_each_row(nodes_.rows_inside(), [&](NodeMap::Row row) { find_velocity(all, row); });
+    velocity_exchange_.fill_halo(numbers.velocity.data());
+  });
 }
 
 void Lattice::clear_force() {
-  for (int axis = 0; axis < 3; ++axis) {
-    const double body_force = options_.body_force[std::size_t(axis)];
-    double* component = force(axis);
+  if (!options_.node_force) return;
+  visit_numbers([&](auto& numbers) {
+    using Real = std::remove_reference_t<decltype(*numbers.force.data())>;
+    Real* const force = numbers.force.data();
+    const std::span<const OwnStrip> strips = nodes_.own_strips();
+    const std::ptrdiff_t count = std::ssize(strips);
+    const Vec3& body = options_.body_force;
+    const bool none = body == Vec3{};
 #pragma omp parallel for schedule(static)
-    for (int iz = 0; iz < grid_.size(2); ++iz) {
-      for (int iy = 0; iy < grid_.size(1); ++iy) {
-        std::fill_n(component + grid_.index(0, iy, iz), grid_.size(0), 0.0);
+    for (std::ptrdiff_t k = 0; k < count; ++k) {
+      const OwnStrip& strip = strips[std::size_t(k)];
+      Real* const begin = force + std::ptrdiff_t{strip.strip} * 24;
+      std::fill_n(begin, 24, Real(0));
+      if (none) continue;
+      for (int l = 0; l < NodeMap::kStrip; ++l) {
+        if ((strip.fluid >> l & 1U) == 0) continue;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          begin[3 * l + std::ptrdiff_t(axis)] = static_cast<Real>(body[axis]);
       }
-      for (const FluidRun& run : nodes_.runs(iz)) std::fill_n(component + run.first, run.length, body_force);
     }
-  }
+  });
 }
 
 void Lattice::step() {
-  collide_and_push();
-  population_exchange_.return_halo(next_populations_.data());
-  bounce();
-  populations_.swap(next_populations_);
+  visit_numbers([&](auto& numbers) { step_with(numbers); });
 }
 
-void Lattice::collide_and_push() {
-  const RelaxationRates rates(options_.tau, options_.magic);
-  CollisionFields fields{populations_.data(), next_populations_.data(), force_.data(), stride_, {}};
-  for (std::size_t i = 0; i < kDirections; ++i) fields.moves[i] = grid_.offset(kVelocity[i]);
-#pragma omp parallel for schedule(static)
-  for (int iz = 0; iz < grid_.size(2); ++iz) {
-    for (const FluidRun& run : nodes_.runs(iz)) collide_and_push_row(rates, fields, run.first, run.length);
-  }
-}
-
-// A population that has been pushed into a solid node turns round and is back where it started: f_-i(x) = f_i(x + c_i)
-// less the moving-wall term. The fluid loses c_i f_i and gains c_-i f_-i, together -c_i (f_i + f_-i).
-void Lattice::bounce() {
-  double* next = next_populations_.data();
-#pragma omp parallel for schedule(static)
-  for (int iz = 0; iz < grid_.size(2); ++iz) {
-    std::array<CompensatedSum, 3> impulse;
-    for (const WallLink& link : nodes_.links(iz)) {
-      const int i = link.direction;
-      const auto& c = kVelocity[std::size_t(i)];
-      const double outgoing = next[i * stride_ + link.fluid + grid_.offset(c)];
-      const double returning = outgoing - wall_term_[std::size_t(link.wall)][std::size_t(i)];
-      next[d3q19::opposite(i) * stride_ + link.fluid] = returning;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (c[axis] != 0) impulse[axis].add(-c[axis] * (outgoing + returning));
-      }
-    }
-    plane_impulse_[std::size_t(iz)] = {impulse[0].value(), impulse[1].value(), impulse[2].value()};
-  }
-  std::array<CompensatedSum, 3> total;
-  for (const Vec3& plane : plane_impulse_) {
-    for (std::size_t axis = 0; axis < 3; ++axis) total[axis].add(plane[axis]);
-  }
-  wall_impulse_ = {total[0].value(), total[1].value(), total[2].value()};
+template <class Real>
+void Lattice::step_with(Numbers<Real>& numbers) {
+  const FluidFields<Real> all = fields(numbers);
+  links_.look_ahead(all);
+  const auto collide = kernels<Real>(instruction_set_).collide;
+  for_each_row(nodes_.rows_near_neighbours(), [&](NodeMap::Row row) { collide(all, row); });
+  population_exchange_.start(all);
+  for_each_row(nodes_.rows_inside(), [&](NodeMap::Row row) { collide(all, row); });
+  population_exchange_.finish(all);
+  links_.turn_back(all);
+  odd_step_ = !odd_step_;
 }
 
 }  // namespace npfem::flow

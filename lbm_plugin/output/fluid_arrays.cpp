@@ -14,7 +14,7 @@ struct Row {
 
 Row read_row(const Lattice& lattice, const Units& units, int iy, int iz) {
   Row row;
-  for (int ix = 0; ix < lattice.grid().size(0); ++ix) {
+  for (int ix = 0; ix < lattice.nodes().size(0); ++ix) {
     const NodeType type = lattice.node_type(ix, iy, iz);
     Vec3 velocity{};
     double pressure = 0;
@@ -41,7 +41,7 @@ FluidArrays fluid_arrays(const Lattice& lattice, const Units& units) {
   a.velocity = a.file.declare("velocity_um_per_us", Type::float32, 3, 3 * count);
   a.pressure = a.file.declare("pressure_Pa", Type::float32, 1, count);
   a.flags = a.file.declare("flags", Type::uint8, 1, count);
-  const Box& own = lattice.grid().own();
+  const Box& own = lattice.nodes().own();
   for (int iz = 0; iz < own.size(2); ++iz) {
     for (int iy = 0; iy < own.size(1); ++iy) {
       const Row row = read_row(lattice, units, iy, iz);

@@ -46,11 +46,11 @@ MeanVelocity mean_velocity(const Simulation& simulation, Communicator& communica
   const Lattice& lattice = simulation.lattice();
   const Units& units = simulation.units();
   const std::size_t axis = flow_axis(simulation.setup().domain);
-  const Index3& first = lattice.grid().own().begin;
+  const Index3& first = lattice.nodes().own().begin;
   FixedPointSum found, plain;
-  for (int iz = 0; iz < lattice.grid().size(2); ++iz) {
-    for (int iy = 0; iy < lattice.grid().size(1); ++iy) {
-      for (int ix = 0; ix < lattice.grid().size(0); ++ix) {
+  for (int iz = 0; iz < lattice.nodes().size(2); ++iz) {
+    for (int iy = 0; iy < lattice.nodes().size(1); ++iy) {
+      for (int ix = 0; ix < lattice.nodes().size(0); ++ix) {
         if (lattice.node_type(ix, iy, iz) != kFluid) continue;
         const Vec3 position = scale(units.dx, {first[0] + ix + 0.5, first[1] + iy + 0.5, first[2] + iz + 0.5});
         found.add(lattice.node_velocity(ix, iy, iz)[axis]);

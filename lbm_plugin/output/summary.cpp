@@ -14,7 +14,7 @@
 namespace npfem::flow {
 
 bool fluid_failed(const Simulation& simulation, Communicator& communicator) {
-  return communicator.any(!std::isfinite(simulation.lattice().mass_deviation()));
+  return communicator.any(!simulation.lattice().is_finite());
 }
 
 Summary summarise(const Scene& scene, const Simulation& simulation, Communicator& communicator, double wall_s) {

@@ -8,7 +8,7 @@
 namespace npfem::flow {
 
 WallLinks::WallLinks(const Lattice& lattice, const Geometry& geometry) : boundaries_(geometry.boundaries.size()) {
-  const LocalGrid& grid = lattice.grid();
+  const NodeMap& grid = lattice.nodes();
   for (int iz = 0; iz < grid.size(2); ++iz) {
     for (int iy = 0; iy < grid.size(1); ++iy) {
       for (int ix = 0; ix < grid.size(0); ++ix) {

@@ -52,7 +52,7 @@ Drag measured(int kernel_points, double radius, int length, double tau) {
   const double volume = std::pow(length, 3);
   Lattice lattice(self, split, {[](int, int, int) { return kFluid; }, {}},
                   {tau, 3.0 / 16.0, {0, 0, -total_force / volume}});
-  const ImmersedBoundary boundary(kernel_points, split, 0);
+  ImmersedBoundary boundary(kernel_points, lattice);
 
   const CellType sphere = capsules::capsule("icosphere", 3, radius, capsules::neo_hookean(1));
   const std::vector<double> area = sphere.model->get("rest_area");
@@ -64,12 +64,12 @@ Drag measured(int kernel_points, double radius, int length, double tau) {
   std::iota(all.begin(), all.end(), 0);
 
   lattice.clear_force();
-  boundary.spread(lattice, positions, forces);
+  boundary.spread(positions, forces);
   const double viscous_time = length * length / (4 * std::numbers::pi * std::numbers::pi * lattice.viscosity());
   for (int i = 0; i < 10 * viscous_time; ++i) lattice.step();
 
   lattice.update_velocity();
-  boundary.interpolate(lattice, positions, all, velocities);
+  boundary.interpolate(positions, all, velocities);
   double speed = -lattice.momentum()[2] / volume;  // relative to the fluid as a whole
   for (std::size_t v = 0; v < area.size(); ++v) speed += velocities[3 * v + 2] * area[v] / whole;
   return {radius, static_cast<double>(length), total_force / (lattice.viscosity() * speed)};

@@ -23,7 +23,7 @@ struct Scene {
       : split(kNodes, {true, !walls, true}, 1),
         lattice(self, split, walls ? flows::plates(1, kNodes[1], {-0.03, 0, 0}, {0.05, 0, 0.01}) : flows::periodic(),
                 {}),
-        boundary(points, split, 0) {
+        boundary(points, lattice) {
     lattice.initialise([this](int ix, int iy, int iz) {
       return FluidState{0, flows::random_vector(split.global_id(ix, iy, iz), 7, 0.1)};
     });
@@ -40,22 +40,22 @@ struct Scene {
   }
 
   void transfer() {
-    boundary.interpolate(lattice, positions, held, velocities);
+    boundary.interpolate(positions, held, velocities);
     lattice.clear_force();
-    boundary.spread(lattice, positions, forces);
+    boundary.spread(positions, forces);
   }
 
   template <class Visit>
   void for_each_node(Visit&& visit) const {
     for (int iz = 0; iz < kNodes[2]; ++iz) {
       for (int iy = 0; iy < kNodes[1]; ++iy) {
-        for (int ix = 0; ix < kNodes[0]; ++ix)
-          visit(lattice.grid().index(ix, iy, iz), Vec3{ix + 0.5, iy + 0.5, iz + 0.5});
+        for (int ix = 0; ix < kNodes[0]; ++ix) visit(Index3{ix, iy, iz}, Vec3{ix + 0.5, iy + 0.5, iz + 0.5});
       }
     }
   }
 
-  Vec3 node_force(std::ptrdiff_t n) const { return {lattice.force(0)[n], lattice.force(1)[n], lattice.force(2)[n]}; }
+  Vec3 node_force(const Index3& n) const { return lattice.force_at(n[0], n[1], n[2]); }
+  Vec3 node_velocity(const Index3& n) const { return lattice.velocity_at(n[0], n[1], n[2]); }
 
   SerialCommunicator self;
   Decomposition split;
@@ -75,9 +75,9 @@ TEST_P(EveryKernel, SpreadingIsTheAdjointOfInterpolation) {
   const double at_vertices =
       std::inner_product(scene.forces.begin(), scene.forces.end(), scene.velocities.begin(), 0.0);
   double at_nodes = 0, size = 0;
-  scene.for_each_node([&](std::ptrdiff_t n, const Vec3&) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double power = scene.lattice.force(axis)[n] * scene.lattice.velocity(axis)[n];
+  scene.for_each_node([&](const Index3& n, const Vec3&) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double power = scene.node_force(n)[axis] * scene.node_velocity(n)[axis];
       at_nodes += power;
       size += std::abs(power);
     }
@@ -89,7 +89,7 @@ TEST_P(EveryKernel, KeepsTheTotalForce) {
   Scene scene(GetParam());
   scene.transfer();
   Vec3 at_nodes{}, at_vertices{};
-  scene.for_each_node([&](std::ptrdiff_t n, const Vec3&) { at_nodes = add(at_nodes, scene.node_force(n)); });
+  scene.for_each_node([&](const Index3& n, const Vec3&) { at_nodes = add(at_nodes, scene.node_force(n)); });
   for (std::size_t i = 0; i < scene.forces.size(); ++i) at_vertices[i % 3] += scene.forces[i];
   for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(at_nodes[axis], at_vertices[axis], 1e-12);
 }
@@ -103,9 +103,9 @@ TEST_P(EveryKernel, KeepsTheTorque) {
     scene.positions.assign(position.begin(), position.end());
     scene.forces.assign(force.begin(), force.end());
     scene.lattice.clear_force();
-    scene.boundary.spread(scene.lattice, scene.positions, scene.forces);
+    scene.boundary.spread(scene.positions, scene.forces);
     Vec3 torque{};
-    scene.for_each_node([&](std::ptrdiff_t n, const Vec3& node) {
+    scene.for_each_node([&](const Index3& n, const Vec3& node) {
       torque = add(torque, cross(subtract(node, position), scene.node_force(n)));
     });
     EXPECT_LT(norm(torque), 1e-13);
@@ -115,7 +115,7 @@ TEST_P(EveryKernel, KeepsTheTorque) {
 TEST_P(EveryKernel, InterpolatesAUniformFlowExactly) {
   Scene scene(GetParam());
   scene.lattice.initialise([](int, int, int) { return FluidState{0, {0.01, -0.02, 0.03}}; });
-  scene.boundary.interpolate(scene.lattice, scene.positions, scene.held, scene.velocities);
+  scene.boundary.interpolate(scene.positions, scene.held, scene.velocities);
   for (std::size_t v = 0; v < scene.held.size(); ++v) {
     EXPECT_NEAR(scene.velocities[3 * v], 0.01, 1e-16);
     EXPECT_NEAR(scene.velocities[3 * v + 1], -0.02, 1e-16);
@@ -126,7 +126,7 @@ TEST_P(EveryKernel, InterpolatesAUniformFlowExactly) {
 TEST_P(EveryKernel, InterpolatesAShearFlowExactlyAwayFromWalls) {
   Scene scene(GetParam(), true);
   scene.lattice.initialise([](int, int iy, int) { return FluidState{0, {0.01 * (iy + 0.5), 0, 0}}; });
-  scene.boundary.interpolate(scene.lattice, scene.positions, scene.held, scene.velocities);
+  scene.boundary.interpolate(scene.positions, scene.held, scene.velocities);
   for (std::size_t v = 0; v < scene.held.size(); ++v) {
     const double y = scene.positions[3 * v + 1];
     if (y < 2 || y > kNodes[1] - 2) continue;
@@ -141,21 +141,21 @@ TEST_P(EveryKernel, DoesNotFeelWholePeriods) {
   scene.transfer();
   const std::vector<double> velocities = scene.velocities;
   std::vector<double> forces;
-  scene.for_each_node([&](std::ptrdiff_t n, const Vec3&) { forces.push_back(scene.lattice.force(0)[n]); });
+  scene.for_each_node([&](const Index3& n, const Vec3&) { forces.push_back(scene.node_force(n)[0]); });
   for (std::size_t i = 0; i < scene.positions.size(); ++i) {
     scene.positions[i] += static_cast<int>(i % 7 - 3) * kNodes[i % 3];
   }
   scene.transfer();
   EXPECT_EQ(scene.velocities, velocities);
   std::size_t next = 0;
-  scene.for_each_node([&](std::ptrdiff_t n, const Vec3&) { EXPECT_EQ(scene.lattice.force(0)[n], forces[next++]); });
+  scene.for_each_node([&](const Index3& n, const Vec3&) { EXPECT_EQ(scene.node_force(n)[0], forces[next++]); });
 }
 
 // Near walls: what the fluid does not get, the walls get.
 TEST_P(EveryKernel, BooksTheForceOnWalls) {
   Scene scene(GetParam(), true);
   scene.transfer();
-  const Vec3 on_walls = scene.boundary.force_on_walls(scene.lattice, scene.positions, scene.held, scene.forces);
+  const Vec3 on_walls = scene.boundary.force_on_walls(scene.positions, scene.held, scene.forces);
   const Vec3 on_fluid = scene.lattice.fluid_force();
   Vec3 at_vertices{};
   for (std::size_t i = 0; i < scene.forces.size(); ++i) at_vertices[i % 3] += scene.forces[i];
@@ -171,20 +171,24 @@ TEST_P(EveryKernel, AVertexBeyondAWallMovesWithTheWall) {
   scene.forces.assign(12, 1.0);
   scene.held = {0, 1, 2, 3};
   scene.velocities.resize(12);
-  scene.boundary.interpolate(scene.lattice, scene.positions, scene.held, scene.velocities);
+  scene.boundary.interpolate(scene.positions, scene.held, scene.velocities);
   EXPECT_NEAR(scene.velocities[0], 0.05, 1e-16);
   EXPECT_NEAR(scene.velocities[3], 0.05, 1e-16);
   EXPECT_NEAR(scene.velocities[6], -0.03, 1e-16);
   EXPECT_NEAR(scene.velocities[9], -0.03, 1e-16);
   scene.lattice.clear_force();
-  scene.boundary.spread(scene.lattice, scene.positions, scene.forces);
+  scene.boundary.spread(scene.positions, scene.forces);
   EXPECT_EQ(scene.lattice.fluid_force(), Vec3{});
 }
 
 TEST(ImmersedBoundary, RefusesAKernelThatIsNotThere) {
-  const Decomposition split(kNodes, {true, true, true}, 1);
-  EXPECT_THROW(ImmersedBoundary(1, split, 0), std::invalid_argument);
-  EXPECT_THROW(ImmersedBoundary(5, split, 0), std::invalid_argument);
+  Scene scene(4);
+  EXPECT_THROW(ImmersedBoundary(1, scene.lattice), std::invalid_argument);
+  EXPECT_THROW(ImmersedBoundary(5, scene.lattice), std::invalid_argument);
+  LatticeOptions options;
+  options.node_force = false;
+  Lattice without(scene.self, scene.split, flows::periodic(), options);
+  EXPECT_THROW(ImmersedBoundary(4, without), std::invalid_argument);
 }
 
 }  // namespace

@@ -24,10 +24,10 @@ TEST(Lattice, StartsWithTheStateAskedFor) {
   for (int iz = -2; iz < 5; ++iz) {  // halo included
     for (int iy = -2; iy < 6; ++iy) {
       for (int ix = -2; ix < 7; ++ix) {
-        const std::ptrdiff_t n = lattice.grid().index(ix, iy, iz);
-        EXPECT_NEAR(lattice.velocity(0)[n], 0.01 * ((iy + 4) % 4), 1e-16);
-        EXPECT_NEAR(lattice.velocity(1)[n], 0.01 * ((iz + 3) % 3), 1e-16);
-        EXPECT_NEAR(lattice.velocity(2)[n], 0.01 * ((ix + 5) % 5), 1e-16);
+        const Vec3 velocity = lattice.velocity_at(ix, iy, iz);
+        EXPECT_NEAR(velocity[0], 0.01 * ((iy + 4) % 4), 1e-16);
+        EXPECT_NEAR(velocity[1], 0.01 * ((iz + 3) % 3), 1e-16);
+        EXPECT_NEAR(velocity[2], 0.01 * ((ix + 5) % 5), 1e-16);
       }
     }
   }
@@ -78,24 +78,30 @@ TEST(Lattice, HashSeesOneBitAndThePlaceOfAValue) {
   SerialCommunicator communicator;
   Lattice lattice(communicator, Decomposition({4, 4, 4}, kPeriodic, 1), flows::periodic(), {});
   const std::uint64_t rest = lattice.state_hash();
-  double& first = lattice.population(3)[lattice.grid().index(1, 2, 3)];
-  double& second = lattice.population(3)[lattice.grid().index(2, 1, 3)];
-  first = std::numeric_limits<double>::denorm_min();
+  Lattice::Populations none{}, one{};
+  one[3] = std::numeric_limits<double>::denorm_min();
+  lattice.set_populations_at(1, 2, 3, one);
   const std::uint64_t changed = lattice.state_hash();
   EXPECT_NE(changed, rest);
-  std::swap(first, second);
+  lattice.set_populations_at(1, 2, 3, none);
+  lattice.set_populations_at(2, 1, 3, one);
   EXPECT_NE(lattice.state_hash(), changed);
   EXPECT_NE(lattice.state_hash(), rest);
-  second = 0.0;
+  lattice.set_populations_at(2, 1, 3, none);
   EXPECT_EQ(lattice.state_hash(), rest);
 }
 
 TEST(Lattice, ABlownUpFluidShows) {
   SerialCommunicator communicator;
   Lattice lattice(communicator, Decomposition({4, 4, 4}, kPeriodic, 1), flows::periodic(), {});
-  lattice.population(1)[lattice.grid().index(1, 2, 3)] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(lattice.is_finite());
+  Lattice::Populations populations{};
+  populations[1] = std::numeric_limits<double>::quiet_NaN();
+  lattice.set_populations_at(1, 2, 3, populations);
   lattice.update_velocity();
   EXPECT_EQ(lattice.max_speed(), std::numeric_limits<double>::infinity());
+  lattice.step();
+  EXPECT_FALSE(lattice.is_finite());
 }
 
 std::string refusal(const LatticeOptions& options, const Geometry& geometry = flows::periodic()) {

@@ -21,14 +21,10 @@ struct Audit {
 
 double total_force(const Lattice& lattice) {
   double sum = 0.0;
-  const auto& grid = lattice.grid();
-  for (int iz = 0; iz < grid.size(2); ++iz) {
-    for (const FluidRun& run : lattice.nodes().runs(iz)) {
-      for (std::ptrdiff_t n = run.first; n < run.first + run.length; ++n) {
-        sum += std::hypot(lattice.force(0)[n], lattice.force(1)[n], lattice.force(2)[n]);
-      }
-    }
-  }
+  lattice.nodes().for_each_fluid_node([&](int ix, int iy, int iz) {
+    const Vec3 force = lattice.force_at(ix, iy, iz);
+    sum += std::hypot(force[0], force[1], force[2]);
+  });
   return sum;
 }
 

@@ -32,8 +32,8 @@ Lattice vortex_lattice(Communicator& communicator, int n, double tau, double spe
 
 double vortex_energy(const Lattice& lattice, const Vec3& drift) {
   double energy = 0.0;
-  for (int iy = 0; iy < lattice.grid().size(1); ++iy) {
-    for (int ix = 0; ix < lattice.grid().size(0); ++ix) {
+  for (int iy = 0; iy < lattice.nodes().size(1); ++iy) {
+    for (int ix = 0; ix < lattice.nodes().size(0); ++ix) {
       const Vec3 u = lattice.node_velocity(ix, iy, 0);
       energy += (u[0] - drift[0]) * (u[0] - drift[0]) + (u[1] - drift[1]) * (u[1] - drift[1]);
     }

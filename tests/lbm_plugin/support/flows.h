@@ -55,7 +55,7 @@ inline Vec3 random_vector(std::int64_t a, std::int64_t b, double size) {
 
 // A random force on every own node, solid ones included, on top of the body force.
 inline void add_random_force(npfem::flow::Lattice& lattice, std::int64_t step, double size) {
-  const auto& grid = lattice.grid();
+  const auto& grid = lattice.nodes();
   for (int iz = 0; iz < grid.size(2); ++iz) {
     for (int iy = 0; iy < grid.size(1); ++iy) {
       for (int ix = 0; ix < grid.size(0); ++ix) {
