@@ -8,9 +8,9 @@ cd "$root"
 python=/usr/bin/python3
 
 build_packages="g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
-  libopenmpi-dev openmpi-bin libgtest-dev libgmock-dev python3"
+  libopenmpi-dev openmpi-bin libhdf5-dev libgtest-dev libgmock-dev python3"
 picture_packages="python3-numpy python3-matplotlib python3-meshio"
-test_packages="clang libclang-rt-dev python3-scipy python3-pytest python3-hypothesis qemu-user"
+test_packages="clang libclang-rt-dev python3-scipy python3-h5py python3-pytest python3-hypothesis qemu-user"
 
 say() { printf '%s\n' "$*"; }
 fail() { printf '%s\n' "$*" >&2; exit 1; }

@@ -62,6 +62,11 @@ void CheckpointFolder::remove_old(std::int64_t step, int keep) const {
     std::error_code ignored;
     std::filesystem::remove(entry.path, ignored);
   }
+  std::error_code error;
+  for (const auto& file : std::filesystem::directory_iterator(path_, error)) {
+    const std::string name = file.path().filename().string();
+    if (name.ends_with(part) && is_ours(name)) std::filesystem::remove(file.path(), error);
+  }
 }
 
 bool CheckpointFolder::is_ours(std::string file) {

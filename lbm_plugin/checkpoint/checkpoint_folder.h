@@ -30,7 +30,7 @@ class CheckpointFolder {
   std::string create() const;
 
   /// Leaves the `keep` newest of those up to `step`. A later one is that of a run that was set back; the run will
-  /// replace it when it gets there.
+  /// replace it when it gets there. What a killed run left under construction goes too.
   void remove_old(std::int64_t step, int keep) const;
 
   /// Whether a file of that name is one that a run puts here, whole or under construction.

@@ -97,7 +97,9 @@ double enclosed_volume(std::span<const double> xyz, std::span<const std::int32_t
 CellShape shape_of(std::span<const double> xyz, std::span<const std::int32_t> triangles) {
   const Moments m = moments_of(xyz, triangles);
   const std::array<Eigen, 3> axes = eigen_of(m.second);
-  CellShape shape{m.centre, {}, in_upper_half_space(axes[2].vector), 0};
+  const Symmetric& moment = m.second;
+  const double inclination = 0.5 * std::atan2(2 * moment[0][1], moment[0][0] - moment[1][1]);
+  CellShape shape{m.centre, {}, in_upper_half_space(axes[2].vector), inclination, 0};
   // an ellipsoid of semi-axis s has the second moment V s^2 / 5 along it
   for (std::size_t i = 0; i < 3; ++i) shape.semi_axes[i] = std::sqrt(std::max(0.0, 5 * axes[i].value / m.volume));
   shape.deformation = (shape.semi_axes[0] - shape.semi_axes[2]) / (shape.semi_axes[0] + shape.semi_axes[2]);

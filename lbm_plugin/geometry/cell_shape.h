@@ -14,6 +14,7 @@ struct CellShape {
   Vec3 centre;         ///< centroid of the volume, um
   Vec3 semi_axes;      ///< of that ellipsoid, longest first, um
   Vec3 normal;         ///< unit vector of the shortest axis (the axis of a disc), upper half space
+  double inclination;  ///< of the long axis of its projection on the x-y plane, rad from x, in (-pi/2, pi/2]
   double deformation;  ///< Taylor's D = (long - short) / (long + short): 0 for a sphere
 };
 

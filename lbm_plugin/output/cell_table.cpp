@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "geometry/cell_shape.h"
+#include "output/principal_stretches.h"
 #include "quantity.h"
 
 namespace npfem::flow {
@@ -16,9 +18,9 @@ namespace {
 constexpr const char* header =
     "step,time_us,cell_id,type,centre_x_um,centre_y_um,centre_z_um,velocity_x_um_per_us,velocity_y_um_per_us,"
     "velocity_z_um_per_us,volume_um3,area_um2,long_semi_axis_um,middle_semi_axis_um,short_semi_axis_um,"
-    "taylor_deformation,normal_x,normal_y,normal_z,status,iterations,residual_pN\n";
+    "taylor_deformation,normal_x,normal_y,normal_z,inclination_deg,largest_stretch,status,iterations,residual_pN\n";
 
-constexpr std::size_t measures = 15;  // from centre_x to normal_z
+constexpr std::size_t measures = 17;  // from centre_x to largest_stretch
 
 /// One line, as it travels to rank 0.
 struct Row {
@@ -29,7 +31,8 @@ struct Row {
 };
 
 Row row_of(const CellState& cell, const Setup& setup) {
-  const CellShape shape = shape_of(cell.position, setup.types[static_cast<std::size_t>(cell.type)].triangles);
+  const CellType& type = setup.types[static_cast<std::size_t>(cell.type)];
+  const CellShape shape = shape_of(cell.position, type.triangles);
   Vec3 velocity{};
   const auto vertices = static_cast<double>(cell.velocity.size() / 3);
   for (std::size_t n = 0; n < cell.velocity.size(); ++n) velocity[n % 3] += cell.velocity[n] / vertices;
@@ -37,7 +40,8 @@ Row row_of(const CellState& cell, const Setup& setup) {
           cell.type,
           {shape.centre[0], shape.centre[1], shape.centre[2], velocity[0], velocity[1], velocity[2], cell.volume,
            cell.area, shape.semi_axes[0], shape.semi_axes[1], shape.semi_axes[2], shape.deformation, shape.normal[0],
-           shape.normal[1], shape.normal[2]},
+           shape.normal[1], shape.normal[2], shape.inclination * 180 / std::numbers::pi,
+           largest_stretch(principal_stretches(type.shape, cell.position, type.triangles))},
           cell.status,
           cell.iterations,
           cell.residual};

@@ -14,7 +14,8 @@
 namespace npfem::flow {
 
 /// cells.csv: one line per cell and time, in the order of ids: where it is (centroid, unwrapped), how it moves (mean of
-/// its vertices), its volume, area and shape, and how its last step ended.
+/// its vertices), its volume, area and shape, how much its membrane is stretched, and how its
+/// last step ended.
 class CellTable {
  public:
   /// Creates the file with its header line; with `resumed_at` goes on behind the lines up to that step. Collective;

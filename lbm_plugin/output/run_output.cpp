@@ -8,6 +8,8 @@
 
 #include "checkpoint/checkpoint_folder.h"
 #include "file.h"
+#include "output/view_script.h"
+#include "output/vtkhdf.h"
 #include "output/write_cells.h"
 #include "output/write_fluid.h"
 
@@ -23,8 +25,8 @@ std::string numbered(const char* name, std::int64_t step, const char* ending) {
 
 bool written_by_a_run(std::string file) {
   if (file.ends_with(".part")) file.resize(file.size() - 5);  // of a run that was killed
-  for (const char* whole :
-       {"cells.pvd", "fluid.pvd", "cells.csv", "rheology.csv", "summary.json", "scene.toml", "view.py"}) {
+  for (const char* whole : {"cells.pvd", "fluid.pvd", "cells.vtkhdf", "fluid.vtkhdf", "cells.csv", "rheology.csv",
+                            "summary.json", "scene.toml", "view.py"}) {
     if (file == whole) return true;
   }
   const auto framed = [&](const std::string& begin, const std::string& end) {
@@ -91,7 +93,7 @@ RunOutput::RunOutput(Communicator& communicator, std::filesystem::path folder, c
                      std::optional<std::int64_t> resumed_at)
     : communicator_(communicator),
       folder_(std::move(folder)),
-      into_box_(scene.output.into_box),
+      settings_(scene.output),
       cells_{scene.output.cells && !scene.setup.cells.empty(), scene.output.cells_every},
       fluid_{scene.output.fluid, scene.output.fluid_every},
       table_{true, scene.output.table_every},
@@ -99,12 +101,22 @@ RunOutput::RunOutput(Communicator& communicator, std::filesystem::path folder, c
       fluid_collection_(folder_ / "fluid.pvd"),
       cell_table_(communicator, folder_ / "cells.csv", scene.setup, resumed_at),
       rheology_table_(communicator, folder_ / "rheology.csv", scene.setup, resumed_at) {
-  if (!resumed_at) return;
-  // A checkpoint is written after all output of its step: what there is of that step is whole.
-  const bool first = communicator_.rank() == 0;
-  if (communicator_.any(first && cells_collection_.resume(*resumed_at))) cells_.last = *resumed_at;
-  if (communicator_.any(first && fluid_collection_.resume(*resumed_at))) fluid_.last = *resumed_at;
-  if (std::max(cell_table_.last_step(), rheology_table_.last_step()) == *resumed_at) table_.last = *resumed_at;
+  on_first_rank([&] { text::write_file((folder_ / "view.py").string(), view_script()); });
+  if (resumed_at) resume(*resumed_at, static_cast<double>(*resumed_at) * scene.setup.time_step);
+}
+
+/// A checkpoint is written after all output of its step: what there is of that step is whole.
+void RunOutput::resume(std::int64_t step, double time_us) {
+  bool cells = false, fluid = false;
+  on_first_rank([&] {
+    cells = cells_collection_.resume(step);
+    fluid = fluid_collection_.resume(step);
+    cells = cut_vtkhdf(folder_ / "cells.vtkhdf", time_us) || cells;
+    fluid = cut_vtkhdf(folder_ / "fluid.vtkhdf", time_us) || fluid;
+  });
+  if (communicator_.any(cells)) cells_.last = step;
+  if (communicator_.any(fluid)) fluid_.last = step;
+  if (std::max(cell_table_.last_step(), rheology_table_.last_step()) == step) table_.last = step;
 }
 
 void RunOutput::write_due(const Simulation& simulation) {
@@ -120,35 +132,48 @@ void RunOutput::write_all(const Simulation& simulation) {
 
 void RunOutput::write(const Simulation& simulation, bool cells, bool fluid, bool table) {
   const std::int64_t step = simulation.steps_done();
-  const double time = simulation.time_us();
   if (cells || table) {
     const std::vector<CellState> local = simulation.local_cells();
-    if (cells) {
-      const std::string file = numbered("cells", step, "vtu");
-      write_cells(communicator_, folder_ / file, time, simulation.setup(), local, into_box_);
-      add_to(cells_collection_, time, file);
-      cells_.last = step;
-    }
+    if (cells) write_cell_files(simulation, local);
     if (table) {
-      cell_table_.append(step, time, local);
+      cell_table_.append(step, simulation.time_us(), local);
       // there are no wall forces before the first step
       if (step > 0) rheology_table_.append(simulation, local);
       table_.last = step;
     }
   }
-  if (fluid) {
-    const std::string file = numbered("fluid", step, "vti");
-    write_fluid(communicator_, folder_ / file, time, simulation.lattice(), simulation.units());
-    add_to(fluid_collection_, time, file);
-    fluid_.last = step;
-  }
+  if (fluid) write_fluid_files(simulation);
 }
 
-void RunOutput::add_to(Collection& collection, double time_us, const std::string& file) {
+void RunOutput::write_cell_files(const Simulation& simulation, std::span<const CellState> local) {
+  const double time = simulation.time_us();
+  const CellArrays arrays = cell_arrays(simulation.setup(), local, settings_.into_box);
+  if (settings_.vtu) {
+    const std::string file = numbered("cells", simulation.steps_done(), "vtu");
+    write_cells(communicator_, folder_ / file, time, arrays);
+    on_first_rank([&] { cells_collection_.add(time, file); });
+  }
+  if (settings_.vtkhdf) append_cells(communicator_, folder_ / "cells.vtkhdf", time, arrays);
+  cells_.last = simulation.steps_done();
+}
+
+void RunOutput::write_fluid_files(const Simulation& simulation) {
+  const double time = simulation.time_us();
+  const FluidArrays arrays = fluid_arrays(simulation.lattice(), simulation.units());
+  if (settings_.vtu) {
+    const std::string file = numbered("fluid", simulation.steps_done(), "vti");
+    write_fluid(communicator_, folder_ / file, time, arrays);
+    on_first_rank([&] { fluid_collection_.add(time, file); });
+  }
+  if (settings_.vtkhdf) append_fluid(communicator_, folder_ / "fluid.vtkhdf", time, arrays);
+  fluid_.last = simulation.steps_done();
+}
+
+void RunOutput::on_first_rank(const std::function<void()>& write) {
   std::string failure;
   if (communicator_.rank() == 0) {
     try {
-      collection.add(time_us, file);
+      write();
     } catch (const text::FileError& error) {
       failure = error.what();
     }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include "communicator/communicator.h"
@@ -18,8 +19,9 @@ namespace npfem::flow {
 /// then the files that an earlier run wrote are removed, and nothing else. text::FileError where it cannot be used.
 void prepare_output_folder(const std::filesystem::path& folder, bool overwrite);
 
-/// The files of a run: cells_*.vtu with cells.pvd, fluid_*.vti with fluid.pvd, cells.csv, rheology.csv. Calls are
-/// collective and throw std::runtime_error on every rank where a file cannot be written.
+/// The files of a run: cells_*.vtu with cells.pvd, fluid_*.vti with fluid.pvd (or
+/// cells.vtkhdf and fluid.vtkhdf), cells.csv, rheology.csv, view.py. Calls
+/// are collective and throw std::runtime_error on every rank where a file cannot be written.
 class RunOutput {
  public:
   /// With `resumed_at` the files of a run that has come to that step are continued; what it wrote later is dropped
@@ -40,12 +42,15 @@ class RunOutput {
     std::int64_t last = -1;
     bool due(std::int64_t step) const { return wanted && every > 0 && step % every == 0 && step != last; }
   };
+  void resume(std::int64_t step, double time_us);
   void write(const Simulation& simulation, bool cells, bool fluid, bool table);
-  void add_to(Collection& collection, double time_us, const std::string& file);
+  void write_cell_files(const Simulation& simulation, std::span<const CellState> local_cells);
+  void write_fluid_files(const Simulation& simulation);
+  void on_first_rank(const std::function<void()>& write);
 
   Communicator& communicator_;
   std::filesystem::path folder_;
-  bool into_box_;
+  OutputSettings settings_;
   Schedule cells_, fluid_, table_;
   Collection cells_collection_, fluid_collection_;
   CellTable cell_table_;

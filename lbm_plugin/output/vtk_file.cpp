@@ -2,6 +2,7 @@
 #include "output/vtk_file.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "quantity.h"
@@ -78,6 +79,35 @@ void VtkFile::write(Communicator& communicator, const std::filesystem::path& pat
   }
   std::sort(chunks.begin(), chunks.end(), [](const Chunk& a, const Chunk& b) { return a.offset < b.offset; });
   communicator.write_file(path, chunks);
+}
+
+std::vector<Bytes> VtkFile::gather(Communicator& communicator) const {
+  Bytes message;  // offset, length and bytes of each piece
+  for (const Piece& piece : pieces_) {
+    const std::array<std::int64_t, 2> place{piece.offset, static_cast<std::int64_t>(piece.length)};
+    const auto head = std::as_bytes(std::span(place));
+    message.insert(message.end(), head.begin(), head.end());
+    const auto body = std::span(bytes_).subspan(piece.begin, piece.length);
+    message.insert(message.end(), body.begin(), body.end());
+  }
+  const std::vector<Bytes> messages = communicator.gather(message, 0);
+  if (communicator.rank() != 0) return {};
+  Bytes whole(static_cast<std::size_t>(appended_bytes_));
+  for (const Bytes& received : messages) {
+    for (std::size_t at = 0; at < received.size();) {
+      std::array<std::int64_t, 2> place;
+      std::memcpy(place.data(), received.data() + at, sizeof place);
+      at += sizeof place;
+      std::memcpy(whole.data() + place[0], received.data() + at, static_cast<std::size_t>(place[1]));
+      at += static_cast<std::size_t>(place[1]);
+    }
+  }
+  std::vector<Bytes> arrays;
+  for (const Array& array : arrays_) {
+    const auto begin = whole.begin() + array.offset + length_bytes;
+    arrays.emplace_back(begin, begin + array.bytes);
+  }
+  return arrays;
 }
 
 std::string time_element(double time_us) {

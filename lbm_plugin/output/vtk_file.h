@@ -13,9 +13,10 @@
 
 namespace npfem::flow {
 
-/// A VTK XML file with its arrays appended as raw bytes (little endian, lengths as UInt64), written by all ranks
-/// together: each array is declared with its length over all ranks, and every rank puts its values where they belong.
-/// What is in the file depends on the values alone, not on who held them.
+/// Arrays that all ranks fill together: each is declared with its length over all ranks, and every rank puts its values
+/// where they belong. They become a VTK XML file with the arrays appended as raw bytes (little endian, lengths as
+/// UInt64), or are gathered on one rank for a writer that knows no ranks. What comes out depends on the values alone,
+/// not on who held them.
 class VtkFile {
  public:
   enum class Type { float32, float64, int32, uint8 };
@@ -35,6 +36,9 @@ class VtkFile {
   /// `body` stands between the opening of the file and the appended data. Collective; throws as write_file does.
   void write(Communicator& communicator, const std::filesystem::path& path, const std::string& kind,
              const std::string& body) const;
+
+  /// On rank 0 the bytes of every array, by its number; nothing on the others. Collective.
+  std::vector<Bytes> gather(Communicator& communicator) const;
 
  private:
   static constexpr std::int64_t length_bytes = 8;

@@ -1,109 +1,17 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "output/write_cells.h"
 
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
-#include "output/vtk_file.h"
-
 namespace npfem::flow {
-namespace {
 
-constexpr std::uint8_t vtk_triangle = 5;
-
-/// Where the vertices and triangles of each cell stand among those of all cells, in the order of ids.
-struct Layout {
-  std::vector<std::int64_t> first_vertex, first_triangle;  // one more than there are cells
-};
-
-Layout layout_of(const Setup& setup) {
-  Layout layout{{0}, {0}};
-  for (const CellStart& cell : setup.cells) {
-    const CellType& type = setup.types[static_cast<std::size_t>(cell.type)];
-    layout.first_vertex.push_back(layout.first_vertex.back() + std::ssize(type.shape) / 3);
-    layout.first_triangle.push_back(layout.first_triangle.back() + std::ssize(type.triangles) / 3);
-  }
-  if (3 * layout.first_triangle.back() > std::numeric_limits<std::int32_t>::max()) {
-    throw std::runtime_error("too many triangles for one VTU file with 32-bit numbers");
-  }
-  return layout;
-}
-
-Vec3 whole_periods_into_box(const CellState& cell, const Domain& domain) {
-  Vec3 shift{};
-  const auto vertices = static_cast<double>(cell.position.size() / 3);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!domain.periodic()[axis]) continue;
-    double mean = 0;
-    for (std::size_t v = axis; v < cell.position.size(); v += 3) mean += cell.position[v] / vertices;
-    shift[axis] = -std::floor(mean / domain.size()[axis]) * domain.size()[axis];
-  }
-  return shift;
-}
-
-std::vector<double> shifted(const std::vector<double>& xyz, const Vec3& shift) {
-  std::vector<double> moved(xyz);
-  for (std::size_t n = 0; n < moved.size(); ++n) moved[n] += shift[n % 3];
-  return moved;
-}
-
-std::vector<float> to_float(const std::vector<double>& values) {
-  return {values.begin(), values.end()};
-}
-
-template <class T>
-std::span<const T> view(const std::vector<T>& values) {
-  return values;
-}
-
-}  // namespace
-
-void write_cells(Communicator& communicator, const std::filesystem::path& path, double time_us, const Setup& setup,
-                 std::span<const CellState> local_cells, bool into_box) {
-  using Type = VtkFile::Type;
-  const Layout layout = layout_of(setup);
-  const std::int64_t vertices = layout.first_vertex.back();
-  const std::int64_t triangles = layout.first_triangle.back();
-
-  VtkFile file;
-  const std::size_t points = file.declare("points_um", Type::float64, 3, 3 * vertices);
-  const std::size_t connectivity = file.declare("connectivity", Type::int32, 1, 3 * triangles);
-  const std::size_t offsets = file.declare("offsets", Type::int32, 1, triangles);
-  const std::size_t types = file.declare("types", Type::uint8, 1, triangles);
-  const std::size_t velocity = file.declare("velocity_um_per_us", Type::float32, 3, 3 * vertices);
-  const std::size_t force = file.declare("force_pN", Type::float32, 3, 3 * vertices);
-  const std::size_t cell_id = file.declare("cell_id", Type::int32, 1, triangles);
-  const std::size_t cell_type = file.declare("cell_type", Type::int32, 1, triangles);
-
-  for (const CellState& cell : local_cells) {
-    const auto id = static_cast<std::size_t>(cell.id);
-    const std::int64_t vertex = layout.first_vertex[id];
-    const std::int64_t triangle = layout.first_triangle[id];
-    std::vector<std::int32_t> corners = setup.types[static_cast<std::size_t>(cell.type)].triangles;
-    for (std::int32_t& corner : corners) corner += static_cast<std::int32_t>(vertex);
-    const std::size_t count = corners.size() / 3;
-    std::vector<std::int32_t> ends(count);
-    std::int32_t end = static_cast<std::int32_t>(3 * triangle);
-    for (std::int32_t& corner_end : ends) corner_end = end += 3;
-
-    const Vec3 shift = into_box ? whole_periods_into_box(cell, setup.domain) : Vec3{};
-    file.put(points, 3 * vertex, view(shifted(cell.position, shift)));
-    file.put(connectivity, 3 * triangle, view(corners));
-    file.put(offsets, triangle, view(ends));
-    file.put(types, triangle, view(std::vector<std::uint8_t>(count, vtk_triangle)));
-    file.put(velocity, 3 * vertex, view(to_float(cell.velocity)));
-    file.put(force, 3 * vertex, view(to_float(cell.force)));
-    file.put(cell_id, triangle, view(std::vector<std::int32_t>(count, cell.id)));
-    file.put(cell_type, triangle, view(std::vector<std::int32_t>(count, cell.type)));
-  }
-
+void write_cells(Communicator& communicator, const std::filesystem::path& path, double time_us, const CellArrays& a) {
+  const VtkFile& file = a.file;
   const std::string body =
-      "<UnstructuredGrid>\n" + time_element(time_us) + "<Piece NumberOfPoints=\"" + std::to_string(vertices) +
-      "\" NumberOfCells=\"" + std::to_string(triangles) + "\">\n<Points>\n" + file.element(points) +
-      "</Points>\n<Cells>\n" + file.element(connectivity) + file.element(offsets) + file.element(types) +
-      "</Cells>\n<PointData>\n" + file.element(velocity) + file.element(force) + "</PointData>\n<CellData>\n" +
-      file.element(cell_id) + file.element(cell_type) + "</CellData>\n</Piece>\n</UnstructuredGrid>\n";
+      "<UnstructuredGrid>\n" + time_element(time_us) + "<Piece NumberOfPoints=\"" + std::to_string(a.vertices) +
+      "\" NumberOfCells=\"" + std::to_string(a.triangles) + "\">\n<Points>\n" + file.element(a.points) +
+      "</Points>\n<Cells>\n" + file.element(a.connectivity) + file.element(a.offsets) + file.element(a.types) +
+      "</Cells>\n<PointData>\n" + file.element(a.velocity) + file.element(a.force) + "</PointData>\n<CellData>\n" +
+      file.element(a.cell_id) + file.element(a.cell_type) + file.element(a.larger) + file.element(a.smaller) +
+      "</CellData>\n</Piece>\n</UnstructuredGrid>\n";
   file.write(communicator, path, "UnstructuredGrid", body);
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "output/vtkhdf.h"
 #include "quantity.h"
 #include "scene/read_parts.h"
 #include "scene/scene.h"
@@ -92,6 +93,12 @@ OutputSettings read_output(const Table& table, double time_step) {
   output.fluid_every = whole_steps(table, keys::fluid_every, time_step);
   output.table_every = whole_steps(table, keys::table_every, time_step);
   output.into_box = table.boolean(keys::into_box);
+  const std::string format = table.choice(keys::format);
+  output.vtu = format != "vtkhdf";
+  output.vtkhdf = format != "vtu";
+  if (output.vtkhdf && !has_vtkhdf()) {
+    table.fail(keys::format.name, "this build has no HDF5, which \"" + format + "\" needs; allowed: \"vtu\"");
+  }
   output.checkpoint_every = table.integer(keys::checkpoint_every);
   output.checkpoint_keep = within(table, keys::checkpoint_keep, 1, 1000000);
   return output;

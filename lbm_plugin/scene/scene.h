@@ -40,6 +40,7 @@ struct OutputSettings {
   // fluid steps between outputs; 0: at the start and the end only
   std::int64_t cells_every = 0, fluid_every = 0, table_every = 0;
   bool into_box = true;
+  bool vtu = true, vtkhdf = false;
   std::int64_t checkpoint_every = 0;  ///< fluid steps; 0: only when the run is stopped
   int checkpoint_keep = 2;
 };

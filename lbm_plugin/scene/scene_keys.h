@@ -482,6 +482,13 @@ inline constexpr Key into_box{.name = "into_box",
                                   "Cell files show each cell whole, moved by whole periods so that its middle lies in "
                                   "the box. `false`: where it has travelled to."};
 
+inline constexpr Key format{.name = "format",
+                            .kind = Kind::choice,
+                            .choices = "vtu vtkhdf both",
+                            .fallback = "vtu",
+                            .doc =
+                                "Of cells and fluid: `vtu`: a VTU or VTI file for each time, and a PVD over them; "
+                                "`vtkhdf`: one HDF5 file for all times, which needs ParaView 5.12 or newer."};
 inline constexpr Key checkpoint_every{
     .name = "checkpoint_every",
     .kind = Kind::integer,
@@ -492,8 +499,9 @@ inline constexpr Key checkpoint_keep{.name = "checkpoint_keep",
                                      .kind = Kind::integer,
                                      .range = Range::positive,
                                      .fallback = "2",
-                                     .doc = "Checkpoints that are kept, the newest ones. There must be room for one "
-                                            "more: an old one goes when the new one is complete."};
+                                     .doc =
+                                         "Checkpoints that are kept, the newest ones. There must be room for one "
+                                         "more: an old one goes when the new one is complete."};
 
 }  // namespace npfem::flow::keys
 

@@ -63,7 +63,7 @@ std::vector<SceneSection> scene_sections() {
       {"output",
        "[output]",
        "",
-       {cells, cells_every, fluid, fluid_every, table_every, into_box, checkpoint_every, checkpoint_keep}},
+       {cells, cells_every, fluid, fluid_every, table_every, into_box, format, checkpoint_every, checkpoint_keep}},
   };
 }
 

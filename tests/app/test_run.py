@@ -31,7 +31,8 @@ def test_writes_everything(finished):
     folder, result = finished
     names = sorted(path.name for path in folder.iterdir())
     assert names == (["cells.csv", "cells.pvd"] + ["cells_%09d.vtu" % step for step in (0, 5, 10, 12)] +
-                     ["fluid.pvd", "fluid_000000000.vti", "fluid_000000012.vti", "scene.toml", "summary.json"])
+                     ["fluid.pvd", "fluid_000000000.vti", "fluid_000000012.vti", "rheology.csv", "scene.toml",
+                      "summary.json", "view.py"])
     summary = summary_of(folder)
     assert SUMMARY_KEYS <= set(summary)
     assert summary["steps"] == 12 and summary["failed_cells"] == 0 and summary["interrupted"] is False

@@ -37,7 +37,11 @@ TEST(CheckpointFolder, KeepsTheNewestUpToThePresent) {
   const CheckpointFolder folder(scratch.path());
   EXPECT_EQ(folder.create(), "");
   for (const std::int64_t step : {10, 20, 30, 40}) put(folder.file(step));
+  put(folder.path() / "checkpoint_000000000025.npfem.part");
+  put(folder.path() / "mine.part");
   folder.remove_old(30, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "checkpoint_000000000025.npfem.part"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "mine.part"));
   EXPECT_EQ(steps_in(folder), (std::vector<std::int64_t>{40, 30, 20}));
 }
 

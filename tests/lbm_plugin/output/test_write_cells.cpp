@@ -43,7 +43,7 @@ std::string written(const std::filesystem::path& path, bool into_box) {
   for (int id = 0; id < cells; ++id) {
     if (id * world().size() / cells == world().rank()) local.push_back(cell_of(setup, id));
   }
-  write_cells(world(), path, 12.5, setup, local, into_box);
+  write_cells(world(), path, 12.5, cell_arrays(setup, local, into_box));
   world().barrier();
   return content_of(path);
 }
@@ -60,6 +60,8 @@ TEST(WriteCells, ReadsBackWholeAndInOrder) {
   const auto types = array_of<std::uint8_t>(file, "types");
   const auto ids = array_of<std::int32_t>(file, "cell_id");
   const auto kinds = array_of<std::int32_t>(file, "cell_type");
+  const auto larger = array_of<float>(file, "larger_stretch");
+  const auto smaller = array_of<float>(file, "smaller_stretch");
   EXPECT_EQ(attribute(file, "NumberOfPoints", "NumberOfPoints"), std::to_string(points.size() / 3));
   EXPECT_EQ(attribute(file, "NumberOfCells", "NumberOfCells"), std::to_string(offsets.size()));
   EXPECT_NE(file.find("Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">12.5<"), std::string::npos);
@@ -81,6 +83,8 @@ TEST(WriteCells, ReadsBackWholeAndInOrder) {
       ASSERT_EQ(types[triangle + t], 5);
       ASSERT_EQ(ids[triangle + t], id);
       ASSERT_EQ(kinds[triangle + t], cell.type);
+      ASSERT_NEAR(larger[triangle + t], 1, 1e-6);
+      ASSERT_NEAR(smaller[triangle + t], 1, 1e-6);
     }
     vertex += cell.position.size() / 3;
     triangle += corners.size() / 3;

@@ -25,7 +25,7 @@ TEST(WriteFluid, ReadsBackNodeByNodeInPhysicalUnits) {
 
   const ScratchFolder own("write_fluid");
   const auto path = folder_of_rank_zero(own) / "fluid.vti";
-  write_fluid(world(), path, 3, lattice, units);
+  write_fluid(world(), path, 3, fluid_arrays(lattice, units));
   world().barrier();
   const std::string file = content_of(path);
   EXPECT_EQ(attribute(file, "WholeExtent", "WholeExtent"), "0 6 0 5 0 10");
