@@ -15,8 +15,8 @@
 namespace npfem::flow {
 namespace {
 
-constexpr int kExchangeTag = 1;
-constexpr int kMessageTag = 2;
+constexpr int kExchangeTag = 1;  // and the next
+constexpr int kMessageTag = 3;
 constexpr std::size_t kLargestWrite = std::size_t{1} << 30;  // one MPI call counts in int
 
 int count_of(std::size_t size) {
@@ -91,8 +91,6 @@ class MpiCommunicator final : public Communicator {
   MpiCommunicator(int* argc, char*** argv) : session_(argc, argv) {
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
-    send_bytes_.resize(static_cast<std::size_t>(size_));
-    receive_bytes_.resize(static_cast<std::size_t>(size_));
   }
 
   int rank() const override { return rank_; }
@@ -133,46 +131,63 @@ class MpiCommunicator final : public Communicator {
   }
 
  private:
+  void take_what_has_come(int tag, std::vector<Incoming>& incoming);
   MpiSession session_;
   int rank_ = 0;
   int size_ = 1;
-  std::vector<std::int64_t> send_bytes_, receive_bytes_;  // of exchange(), by rank
+  int exchanges_ = 0;  // calls of exchange(), modulo 2
   std::vector<MPI_Request> requests_;
   std::vector<MPI_Request> messages_;  // of start_messages()
 };
 
+// Nobody knows who will write to him. Each rank takes what comes until all know that all has been taken: a message sent
+// in synchronous mode is done when its receiver has begun to take it, and the barrier, entered when one's own messages
+// are done, is complete when everybody's are (Hoefler, Siebert & Lumsdaine 2010, "NBX"). The work of a rank grows with
+// its neighbours, not with the number of ranks. Tags alternate: a rank that has left may be writing again already.
 void MpiCommunicator::exchange(std::span<const Outgoing> outgoing, std::vector<Incoming>& incoming) {
-  std::fill(send_bytes_.begin(), send_bytes_.end(), 0);
+  const int tag = kExchangeTag + exchanges_;
+  exchanges_ = 1 - exchanges_;
+  incoming.clear();
+  requests_.clear();
   for (const Outgoing& message : outgoing) {
     if (message.destination < 0 || message.destination >= size_) {
       throw std::invalid_argument("a message to a rank that does not exist");
     }
-    send_bytes_[static_cast<std::size_t>(message.destination)] = std::ssize(message.bytes);
-  }
-  MPI_Alltoall(send_bytes_.data(), 1, MPI_INT64_T, receive_bytes_.data(), 1, MPI_INT64_T, MPI_COMM_WORLD);
-
-  incoming.clear();
-  for (int source = 0; source < size_; ++source) {
-    const auto bytes = static_cast<std::size_t>(receive_bytes_[static_cast<std::size_t>(source)]);
-    if (bytes > 0) incoming.push_back({source, Bytes(bytes)});
-  }
-  requests_.clear();
-  for (Incoming& message : incoming) {
-    if (message.source == rank_) continue;
-    MPI_Irecv(message.bytes.data(), count_of(message.bytes.size()), MPI_BYTE, message.source, kExchangeTag,
-              MPI_COMM_WORLD, &requests_.emplace_back());
-  }
-  for (const Outgoing& message : outgoing) {
     if (message.bytes.empty()) continue;
     if (message.destination == rank_) {
-      const auto own = std::find_if(incoming.begin(), incoming.end(), [&](auto& in) { return in.source == rank_; });
-      std::copy(message.bytes.begin(), message.bytes.end(), own->bytes.begin());
+      incoming.push_back({rank_, Bytes(message.bytes.begin(), message.bytes.end())});
       continue;
     }
-    MPI_Isend(message.bytes.data(), count_of(message.bytes.size()), MPI_BYTE, message.destination, kExchangeTag,
-              MPI_COMM_WORLD, &requests_.emplace_back());
+    MPI_Issend(message.bytes.data(), count_of(message.bytes.size()), MPI_BYTE, message.destination, tag, MPI_COMM_WORLD,
+               &requests_.emplace_back());
   }
-  MPI_Waitall(count_of(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
+  if (size_ == 1) return;
+  MPI_Request barrier = MPI_REQUEST_NULL;
+  for (bool all_taken = false; !all_taken;) {
+    take_what_has_come(tag, incoming);
+    int done = 0;
+    if (barrier == MPI_REQUEST_NULL) {
+      MPI_Testall(count_of(requests_.size()), requests_.data(), &done, MPI_STATUSES_IGNORE);
+      if (done != 0) MPI_Ibarrier(MPI_COMM_WORLD, &barrier);
+    } else {
+      MPI_Test(&barrier, &done, MPI_STATUS_IGNORE);
+      all_taken = done != 0;
+    }
+  }
+  std::sort(incoming.begin(), incoming.end(), [](const Incoming& x, const Incoming& y) { return x.source < y.source; });
+}
+
+void MpiCommunicator::take_what_has_come(int tag, std::vector<Incoming>& incoming) {
+  for (int waiting = 1; waiting != 0;) {
+    MPI_Status status;
+    MPI_Message message = MPI_MESSAGE_NULL;
+    MPI_Improbe(MPI_ANY_SOURCE, tag, MPI_COMM_WORLD, &waiting, &message, &status);
+    if (waiting == 0) return;
+    int bytes = 0;
+    MPI_Get_count(&status, MPI_BYTE, &bytes);
+    Incoming& arrived = incoming.emplace_back(Incoming{status.MPI_SOURCE, Bytes(static_cast<std::size_t>(bytes))});
+    MPI_Mrecv(arrived.bytes.data(), bytes, MPI_BYTE, &message, MPI_STATUS_IGNORE);
+  }
 }
 
 void MpiCommunicator::start_messages(std::span<const Outgoing> outgoing, std::span<const Expected> expected) {
