@@ -18,12 +18,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// rough rates of one core, for the estimate of cost only
-constexpr double nodes_per_second = 8e6;
-constexpr double vertex_steps_per_second = 2.5e5;
+// Rough rates of one core (docs/benchmarks.md), for the estimate of cost only: updates of the fluid in double
+// precision, and steps of vertices, with all that belongs to them: immersed boundary, contacts, cell solver.
+constexpr double nodes_per_second = 45e6;
+constexpr double vertex_steps_per_second = 1.0e6;
+constexpr double gain_of_single_precision = 1.6;  // of the fluid
 
-// numbers kept per node: two sets of 19 populations, force, velocity
-constexpr double bytes_per_node = 8.0 * (2 * 19 + 3 + 3);
+/// Populations of a fluid node, and with cells force and velocity; strips of eight nodes are stored whole.
+double fluid_bytes(const flow::Setup& setup, double fluid_nodes, bool cells) {
+  constexpr double stored_per_fluid_node = 1.15;
+  const double number = setup.fluid_precision == flow::FluidPrecision::in_float ? 4 : 8;
+  return stored_per_fluid_node * fluid_nodes * number * (cells ? 19 + 6 : 19);
+}
+
+double fluid_rate(const flow::Setup& setup) {
+  const bool single = setup.fluid_precision == flow::FluidPrecision::in_float;
+  return single ? gain_of_single_precision * nodes_per_second : nodes_per_second;
+}
 // numbers kept per vertex of a cell: its fields, and the solver's vectors and history
 constexpr double bytes_per_vertex = 8.0 * 70;
 
@@ -92,41 +103,41 @@ Json describe(const flow::Scene& scene) {
     vertices += static_cast<double>(counts[type]) * setup.types[type].model->vertices();
   }
   const auto& n = setup.domain.nodes;
-  const double stored_nodes = (n[0] + 4.0) * (n[1] + 4.0) * (n[2] + 4.0);  // with the halo of one rank
   const bool several = std::accumulate(counts.begin(), counts.end(), 0) > 1;
-  return {
-      {"title", scene.title},
-      {"domain",
-       {{"kind", name_of(setup.domain.kind)},
-        {"size_um", setup.domain.size()},
-        {"dx_um", setup.domain.dx},
-        {"nodes", n},
-        {"fluid_nodes", fluid_nodes},
-        {"fluid_volume_um3", setup.domain.fluid_volume()}}},
-      {"fluid",
-       {{"density_kg_per_m3", setup.density},
-        {"kinematic_viscosity_um2_per_us", setup.kinematic_viscosity},
-        {"time_step_us", setup.time_step},
-        {"tau", units.relaxation_time(setup.kinematic_viscosity)}}},
-      {"flow",
-       {{"largest_velocity_um_per_us", scene.largest_velocity},
-        {"largest_shear_rate_per_us", scene.largest_shear_rate},
-        {"starts_developed", setup.start_developed}}},
-      {"coupling",
-       {{"active", vertices > 0},
-        {"scheme", setup.coupling.scheme == flow::CouplingScheme::implicit ? "implicit" : "peskin"},
-        {"kernel_points", setup.coupling.kernel_points},
-        {"fluid_steps_per_cell_step", setup.coupling.steps_per_solve}}},
-      {"contact",
-       {{"between_cells", several && setup.contact.cells.active()},
-        {"with_walls", vertices > 0 && setup.domain.has_walls() && setup.contact.walls.active()}}},
-      {"cells", describe_cells(scene, counts)},
-      {"run", {{"steps", scene.steps}, {"time_us", static_cast<double>(scene.steps) * setup.time_step}}},
-      {"memory_MB", {{"fluid", stored_nodes * bytes_per_node * 1e-6}, {"cells", vertices * bytes_per_vertex * 1e-6}}},
-      {"seconds_per_step_on_one_core",
-       {{"fluid", static_cast<double>(fluid_nodes) / nodes_per_second},
-        {"cells", vertices / vertex_steps_per_second / setup.coupling.steps_per_solve}}},
-      {"limits", limits_as_json(limits_of(scene))}};
+  return {{"title", scene.title},
+          {"domain",
+           {{"kind", name_of(setup.domain.kind)},
+            {"size_um", setup.domain.size()},
+            {"dx_um", setup.domain.dx},
+            {"nodes", n},
+            {"fluid_nodes", fluid_nodes},
+            {"fluid_volume_um3", setup.domain.fluid_volume()}}},
+          {"fluid",
+           {{"density_kg_per_m3", setup.density},
+            {"kinematic_viscosity_um2_per_us", setup.kinematic_viscosity},
+            {"time_step_us", setup.time_step},
+            {"tau", units.relaxation_time(setup.kinematic_viscosity)}}},
+          {"flow",
+           {{"largest_velocity_um_per_us", scene.largest_velocity},
+            {"largest_shear_rate_per_us", scene.largest_shear_rate},
+            {"starts_developed", setup.start_developed}}},
+          {"coupling",
+           {{"active", vertices > 0},
+            {"scheme", setup.coupling.scheme == flow::CouplingScheme::implicit ? "implicit" : "peskin"},
+            {"kernel_points", setup.coupling.kernel_points},
+            {"fluid_steps_per_cell_step", setup.coupling.steps_per_solve}}},
+          {"contact",
+           {{"between_cells", several && setup.contact.cells.active()},
+            {"with_walls", vertices > 0 && setup.domain.has_walls() && setup.contact.walls.active()}}},
+          {"cells", describe_cells(scene, counts)},
+          {"run", {{"steps", scene.steps}, {"time_us", static_cast<double>(scene.steps) * setup.time_step}}},
+          {"memory_MB",
+           {{"fluid", 1e-6 * fluid_bytes(setup, static_cast<double>(fluid_nodes), vertices > 0)},
+            {"cells", vertices * bytes_per_vertex * 1e-6}}},
+          {"seconds_per_step_on_one_core",
+           {{"fluid", static_cast<double>(fluid_nodes) / fluid_rate(setup)},
+            {"cells", vertices / vertex_steps_per_second / setup.coupling.steps_per_solve}}},
+          {"limits", limits_as_json(limits_of(scene))}};
 }
 
 double number(const Json& json, const char* group, const char* key) {

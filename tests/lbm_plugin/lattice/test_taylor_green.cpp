@@ -95,6 +95,27 @@ TEST(TaylorGreen, DecaysWithTheViscosityAskedFor) {
   EXPECT_NEAR(relative_decay_rate(64, 0.8, 1e-3, {}), 1.0, 1e-3);
 }
 
+// In time the lattice is a Maxwell fluid: stress follows the rate of strain with the delay T = tau - 1/2, so that a
+// vortex of the Stokes rate R decays with the slower root of T s^2 - s + R = 0, and oscillates beyond 4 T R = 1.
+TEST(TaylorGreen, FollowsTheTelegraphEquationAtLargeRelaxationTimes) {
+  constexpr int n = 64;
+  const double k = 2.0 * kPi / n;
+  for (const double tau : {1.0, 2.0, 4.0}) {
+    const double delay = tau - 0.5;
+    const double stokes = 2.0 * lattice_viscosity(tau) * k * k;
+    const double expected = (1.0 - std::sqrt(1.0 - 4.0 * delay * stokes)) / (2.0 * delay * stokes);
+    EXPECT_NEAR(relative_decay_rate(n, tau, 1e-4, {}), expected, 0.006 * (expected - 1.0) + 6e-4) << tau;
+  }
+  SerialCommunicator communicator;
+  Lattice lattice = vortex_lattice(communicator, n, 12.0, 1e-4, {});  // 4 T R = 3.4
+  double least = 1.0;
+  for (int step = 0; step < 120; ++step) {
+    lattice.step();
+    least = std::min(least, lattice.node_velocity(3 * n / 8, n / 8, 0)[0] / 1e-4);
+  }
+  EXPECT_LT(least, -0.02);
+}
+
 // Vortices carried along by a uniform stream decay as those at rest, up to the cubic velocity error of the lattice.
 TEST(TaylorGreen, DecaysAlikeInAMovingFrame) {
   const double at_rest = relative_decay_rate(32, 0.8, 1e-3, {});
