@@ -233,7 +233,7 @@ std::vector<double> inlet_profile(const Domain& domain, const Opening& opening) 
       open.push_back(domain.node_kind(node) == fluid);
     }
   }
-  if (opening.profile == Opening::Profile::plug) return std::vector<double>(open.size(), 1.0);
+  if (opening.profile == Opening::Profile::plug) return {open.begin(), open.end()};
   const std::array<bool, 3> periodic = domain.periodic();
   return developed_profile(open, counts, {periodic[u], periodic[v]});
 }

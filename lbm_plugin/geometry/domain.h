@@ -74,7 +74,7 @@ inline constexpr std::uint8_t first_opening_kind = 4;
 double measured_share_of_fluid(const Domain& domain);
 
 /// Share of the mean velocity at each node of an opening, index u + n v where u and v are the two other axes in order
-/// and n is the number of nodes along the first of them.
+/// and n is the number of nodes along the first of them; 0 where the walls close it.
 std::vector<double> inlet_profile(const Domain& domain, const Opening& opening);
 
 }  // namespace npfem::flow
