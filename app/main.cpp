@@ -25,8 +25,8 @@ struct Verb {
 
 std::vector<Verb> add_verbs(CLI::App& program) {
   std::vector<Verb> verbs;
-  for (const auto add :
-       {add_run, add_resume, add_pack, add_plan, add_validate, add_mesh, add_inspect, add_bench, add_keys, add_version}) {
+  for (const auto add : {add_run, add_resume, add_pack, add_plan, add_validate, add_mesh, add_inspect, add_import,
+                         add_bench, add_keys, add_version}) {
     Action action = add(program);
     verbs.push_back({program.get_subcommands({}).back(), std::move(action)});
   }

@@ -39,6 +39,7 @@ Action add_validate(CLI::App& program);
 Action add_mesh(CLI::App& program);
 Action add_inspect(CLI::App& program);
 Action add_bench(CLI::App& program);
+Action add_import(CLI::App& program);
 Action add_keys(CLI::App& program);
 Action add_version(CLI::App& program);
 

@@ -64,6 +64,18 @@ const char* name_of(flow::DomainKind kind) {
   return "periodic_box";
 }
 
+const char* name_of(flow::CouplingScheme scheme) {
+  switch (scheme) {
+    case flow::CouplingScheme::implicit:
+      return "implicit";
+    case flow::CouplingScheme::peskin:
+      return "peskin";
+    case flow::CouplingScheme::lineage:
+      break;
+  }
+  return "lineage";
+}
+
 std::vector<std::string> energies_of(const api::Model& model) {
   std::vector<std::string> names;
   const int count = api::check(npfem_model_energy_count(model.handle()));
@@ -123,7 +135,7 @@ Json describe(const flow::Scene& scene) {
             {"starts_developed", setup.start_developed}}},
           {"coupling",
            {{"active", vertices > 0},
-            {"scheme", setup.coupling.scheme == flow::CouplingScheme::implicit ? "implicit" : "peskin"},
+            {"scheme", name_of(setup.coupling.scheme)},
             {"kernel_points", setup.coupling.kernel_points},
             {"fluid_steps_per_cell_step", setup.coupling.steps_per_solve}}},
           {"contact",

@@ -173,6 +173,16 @@ WallDistance Domain::wall_distance(const Vec3& position) const {
   return nearest;
 }
 
+WallDistance Domain::distance_for_cells(const Vec3& position) const {
+  WallDistance nearest = wall_distance(position);
+  for (const Opening& opening : openings) {
+    const std::size_t axis = axis_of(opening.face);
+    const double depth = is_high(opening.face) ? size()[axis] - position[axis] : position[axis];
+    nearest = nearer(nearest, {depth - cells_keep_from_opening(), inward(opening.face)});
+  }
+  return nearest;
+}
+
 double Domain::fluid_volume() const {
   const Vec3 box = size();
   if (kind == DomainKind::tube) return share_of_fluid * std::numbers::pi * tube_radius * tube_radius * box[2];
@@ -223,7 +233,7 @@ std::vector<double> inlet_profile(const Domain& domain, const Opening& opening) 
       open.push_back(domain.node_kind(node) == fluid);
     }
   }
-  if (opening.profile == Opening::Profile::plug) return std::vector<double>(open.size(), 1.0);
+  if (opening.profile == Opening::Profile::plug) return {open.begin(), open.end()};
   const std::array<bool, 3> periodic = domain.periodic();
   return developed_profile(open, counts, {periodic[u], periodic[v]});
 }

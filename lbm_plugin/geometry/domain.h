@@ -60,6 +60,10 @@ struct Domain {
   /// Velocity (um/us) of the wall of that kind.
   Vec3 wall_velocity(std::uint8_t kind) const;
   WallDistance wall_distance(const Vec3& position) const;
+  /// The same, where an opening counts as a wall that stands cells_keep_from_opening() before its face.
+  WallDistance distance_for_cells(const Vec3& position) const;
+  /// So near to an opening (um) the kernel of a vertex would reach beyond it.
+  double cells_keep_from_opening() const { return 3 * dx; }
   /// Volume open to the fluid between the true (not the voxel) walls, um3.
   double fluid_volume() const;
 };
@@ -70,7 +74,7 @@ inline constexpr std::uint8_t first_opening_kind = 4;
 double measured_share_of_fluid(const Domain& domain);
 
 /// Share of the mean velocity at each node of an opening, index u + n v where u and v are the two other axes in order
-/// and n is the number of nodes along the first of them.
+/// and n is the number of nodes along the first of them; 0 where the walls close it.
 std::vector<double> inlet_profile(const Domain& domain, const Opening& opening);
 
 }  // namespace npfem::flow

@@ -69,7 +69,10 @@ std::vector<double> developed_profile(const std::vector<bool>& fluid, const std:
     residual[node] = 1.0 - 0.25 * section.walls(node);
     has_walls = has_walls || section.walls(node) > 0;
   }
-  if (!has_walls) return std::vector<double>(fluid.size(), 1.0);
+  if (!has_walls) {
+    for (const std::size_t node : section.nodes()) w[node] = 1;
+    return w;
+  }
   // conjugate gradients
   std::vector<double> direction = residual;
   double square = product(section, residual, residual);

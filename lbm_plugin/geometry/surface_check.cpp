@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <optional>
 #include <utility>
-
-#include "quantity.h"
 
 namespace npfem::flow {
 namespace {
@@ -16,9 +15,9 @@ using Edge = std::pair<std::int32_t, std::int32_t>;
 using EdgeCounts = std::map<Edge, int>;  // of directed edges
 
 std::string place(const Vec3& p) {
-  std::string text = "(";
-  for (std::size_t a = 0; a < 3; ++a) text += (a > 0 ? ", " : "") + text::format_rounded(p[a]);
-  return text + ") um";
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g) um", p[0], p[1], p[2]);
+  return text;
 }
 
 std::string place(const TriangleSurface& surface, const Edge& edge) {

@@ -40,11 +40,11 @@ Clash Packing::clash(const RigidCell& cell, int itself, double gap) const {
 
 bool Packing::too_near_wall(const RigidCell& cell, double gap) const {
   const double required = gap * cell.size;
-  if (domain_.wall_distance(cell.centre).distance >= shape(cell).radius * cell.size + required) return false;
+  if (domain_.distance_for_cells(cell.centre).distance >= shape(cell).radius * cell.size + required) return false;
   const std::span<const double> xyz = shape(cell).xyz;
   for (std::size_t v = 0; v < xyz.size() / 3; ++v) {
     const Vec3 position = add(cell.centre, rotate(cell.rotation, scale(cell.size, vertex(xyz, v))));
-    if (!(domain_.wall_distance(position).distance >= required)) return true;
+    if (!(domain_.distance_for_cells(position).distance >= required)) return true;
   }
   return false;
 }

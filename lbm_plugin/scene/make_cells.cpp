@@ -126,12 +126,13 @@ void require_inside(const Scene& scene, const CellStart& cell, int number) {
   const Domain& domain = scene.setup.domain;
   for (std::size_t v = 0; v < cell.positions.size() / 3; ++v) {
     const Vec3 point{cell.positions[3 * v], cell.positions[3 * v + 1], cell.positions[3 * v + 2]};
-    if (domain.wall_distance(point).distance > 0) continue;
+    if (domain.distance_for_cells(point).distance > 0) continue;
     scene.document.root()
         .table("placement")
         .fail("file", "cell " + std::to_string(number) + " (" +
                           scene.setup.types[static_cast<std::size_t>(cell.type)].name + ") at " +
-                          at_place(cell.centre) + " reaches beyond a wall at " + at_place(point));
+                          at_place(cell.centre) + " reaches beyond a wall, or too near to an opening, at " +
+                          at_place(point));
   }
 }
 

@@ -28,7 +28,7 @@ void expect(const Table& table, const std::string& path) {
 void require_known_keys(const Table& root) {
   expect(root, "");
   for (const char* section :
-       {"domain", "fluid", "flow", "placement", "coupling", "contact", "solver", "run", "output"}) {
+       {"domain", "fluid", "flow", "placement", "coupling", "lineage", "contact", "solver", "run", "output"}) {
     if (root.has(section)) expect(root.table(section), section);
   }
   for (const Table& solid : root.table("domain").tables("solids")) expect(solid, "domain.solids");
@@ -123,6 +123,11 @@ Scene read(text::Document document, const std::filesystem::path& folder, const s
   for (const Table& cells : root.tables("cells")) scene.requests.push_back(read_cells(cells, scene, folder));
   match_stored_cells(placement, scene);
   read_coupling(root.table("coupling"), setup);
+  if (setup.coupling.scheme == CouplingScheme::lineage) {
+    setup.coupling.lineage = read_lineage(root.table("lineage"));
+  } else if (root.has("lineage")) {
+    root.fail("lineage", "holds only with coupling.scheme = \"lineage\"");
+  }
   read_contact(root.table("contact"), scene);
   scene.solver_options = read_solver(root.table("solver"));
   scene.steps = read_steps(root.table("run"), setup.time_step);

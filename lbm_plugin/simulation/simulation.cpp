@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <set>
 #include <span>
@@ -59,6 +60,7 @@ struct Simulation::State {
   void restore(CheckpointFile& file, const CheckpointHeader& header);
   void make_coupling();
   void load_fluid();
+  void stop_at_openings();
   void record(const CellStepReport& report);
   void record_failures(const std::vector<LocalFailure>& local);
   bool solves_now() const { return coupling && steps % setup.coupling.steps_per_solve == 0; }
@@ -184,9 +186,33 @@ void Simulation::step() {
   }
 }
 
+/// A cell that comes so near to an opening that its kernels would reach beyond it ends the run, by name.
+void Simulation::State::stop_at_openings() {
+  std::vector<LocalFailure> reached;
+  std::vector<double> xyz;
+  cells.read("position", xyz);
+  for (const CellPopulation::Cell& cell : cells.cells()) {
+    const std::span<const double> own = std::span(xyz).subspan(3 * cell.first_vertex, 3 * cells.vertices_of(cell.type));
+    for (const Opening& opening : setup.domain.openings) {
+      const std::size_t axis = axis_of(opening.face);
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t i = axis; i < own.size(); i += 3) {
+        nearest = std::min(nearest, is_high(opening.face) ? setup.domain.size()[axis] - own[i] : own[i]);
+      }
+      if (nearest >= setup.domain.cells_keep_from_opening()) continue;
+      reached.push_back({cell.id, cell.type,
+                         "it has reached the opening " + name_of(opening.face) +
+                             "; cells cannot leave through one: take a longer domain or a shorter run"});
+      break;
+    }
+  }
+  if (communicator.any(!reached.empty())) record_failures(reached);
+}
+
 void Simulation::State::load_fluid() {
   const Stopwatch watch(coupling_seconds);
   cells.migrate();
+  if (!setup.domain.openings.empty()) stop_at_openings();
   record(coupling->load_fluid());
 }
 

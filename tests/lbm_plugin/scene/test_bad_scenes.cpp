@@ -48,7 +48,7 @@ const BadScene wrong_words[] = {
      "ratio_to, volume_weight"},
     {"MisspeltSection", "[run]", "[rum]\nsteps = 1\n[run]",
      "scene.toml:22:2: unknown key \"rum\" at the top level; did you mean \"run\"? known keys: cells, contact, "
-     "coupling, domain, flow, fluid, openings, output, placement, run, schema_version, solver, title"},
+     "coupling, domain, flow, fluid, lineage, openings, output, placement, run, schema_version, solver, title"},
     {"MisspeltWord", "\"shear_box\"", "\"shearbox\"",
      "scene.toml:5:8: domain.kind: unknown word \"shearbox\"; did you mean \"shear_box\"? allowed: tube, shear_box, "
      "plates, periodic_box, vessel"},

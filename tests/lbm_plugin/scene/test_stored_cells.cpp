@@ -107,7 +107,8 @@ TEST_F(StoredCellsScene, WhatDoesNotFitIsNamed) {
 TEST_F(StoredCellsScene, ACellBeyondAWallIsNamed) {
   for (std::size_t i = 1; i < cells_.positions.size(); i += 3) cells_.positions[i] += 3.5;
   const std::string message = error_of();
-  EXPECT_EQ(message.find("scene.toml:23:8: placement.file: cell 1 (rbc) at (7, 11.5, 5) um reaches beyond a wall at ("),
+  EXPECT_EQ(message.find("scene.toml:23:8: placement.file: cell 1 (rbc) at (7, 11.5, 5) um reaches beyond a wall, or "
+                         "too near to an opening, at ("),
             0u)
       << message;
 }
