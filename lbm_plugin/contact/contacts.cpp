@@ -16,6 +16,7 @@ Contacts::Contacts(const Setup& setup) : domain_(setup.domain), box_pairs_(setup
   take_laws(setup.contact);
   for (const ContactLaw& law : laws_) reach_ = std::max(reach_, law.reach());
   for (const ContactLaw& law : wall_laws_) wall_reach_ = std::max(wall_reach_, law.reach());
+  skin_ = 0.2 * std::max(reach_, wall_reach_);
 }
 
 void Contacts::take_laws(const ContactSettings& settings) {
@@ -60,13 +61,10 @@ void Contacts::evaluate(const ContactVertices& vertices, std::span<ContactLoad> 
   force_of_walls_ = {};
   finding_ = {0, reach_};
   if (!active()) return;
-  list_cells();
-  measure();
-  if (reach_ > 0) {
-    search();
-    for (const Work& work : work_) {
-      for (const Hit& hit : work.hits) apply(hit, loads);
-    }
+  if (!lists_hold()) make_lists();
+  search();
+  for (const Part& part : parts_) {
+    for (const Hit& hit : part.hits) apply(hit, loads);
   }
   if (wall_reach_ > 0) push_from_walls(loads);
 }

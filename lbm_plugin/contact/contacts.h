@@ -27,6 +27,10 @@ namespace npfem::flow {
 ///
 /// Each contact is found by the one process that holds p, from positions alone; all sums are of whole numbers
 /// (fixed_point.h). The loads are the same bits for any number of ranks and threads.
+///
+/// Who may touch whom is listed with a skin to spare (Verlet, Phys. Rev. 159 (1967) 98), by boxes around cells and
+/// around blocks of their vertices and triangles, and listed anew when a vertex has moved by half the skin or others
+/// are known. What is not listed cannot touch: the lists change no bit.
 class Contacts {
  public:
   /// std::invalid_argument where a law is negative, infinite or too strong for the numbers that carry it.
@@ -59,6 +63,31 @@ class Contacts {
     std::size_t vertex_boxes, triangle_boxes;  ///< the first of its blocks'
     bool near_wall;
   };
+  /// Between two parallel planes: all corners of a block of triangles.
+  struct Slab {
+    Vec3 normal;       ///< unit
+    double low, high;  ///< of position . normal, um
+  };
+  /// Vertices of one cell before the surface of another, which is moved by `shift`: those that may come within reach
+  /// before the lists are made anew.
+  struct Meeting {
+    std::size_t mine, other;
+    Vec3 shift;
+    std::size_t first_vertex, last_vertex;  ///< in Part::vertices
+    std::size_t first_visit, last_visit;
+  };
+  /// The vertices of a meeting that may touch a block of the other cell's triangles.
+  struct Visit {
+    std::size_t block;
+    std::size_t first, last;  ///< in Part::visitors
+  };
+  /// The nearest point of a surface to a vertex.
+  struct Nearest {
+    std::int32_t triangle = -1;  ///< of its type; -1: none is within reach
+    std::array<double, 3> weight;
+    Vec3 apart;  ///< from there to the vertex, um
+    double square;
+  };
   struct Hit {
     std::int32_t vertex;
     std::array<std::int32_t, 3> corner;
@@ -67,52 +96,33 @@ class Contacts {
     double stiffness;
     double distance;
   };
-  /// The nearest point of a surface to a vertex.
-  struct Nearest {
-    std::int32_t triangle;  ///< of its type
-    std::array<double, 3> weight;
-    Vec3 apart;  ///< from there to the vertex, um
-    double square;
-  };
-  /// The vertices of one cell before the surface of another, which is moved by `shift`.
-  struct Encounter {
-    const Cell& mine;
-    const Cell& other;
-    const Bounds &my_box, &other_box;  ///< um, both where they are
-    Vec3 shift;
-  };
   /// A few neighbouring triangles of the other cell, side by side for the processor: their balls and planes.
   struct Patch {
     static constexpr std::size_t size = ClosedSurface::per_block;
     std::size_t count = 0;
     std::array<std::int32_t, size> triangle;
     std::array<Corners, size> corner;
-    std::array<double, size> x, y, z, radius;  ///< um
-    std::array<double, size> nx, ny, nz;       ///< unit normal
+    std::array<double, size> x, y, z;     ///< middle, um
+    std::array<double, size> ball;        ///< square of a distance from there beyond which no point is within reach
+    std::array<double, size> nx, ny, nz;  ///< normal, um2
+    std::array<double, size> plane;       ///< the same for (distance from there along the normal) * |normal|
   };
-  /// Between two parallel planes: all corners of a block of triangles.
-  struct Slab {
-    Vec3 normal;       ///< unit
-    double low, high;  ///< of position . normal, um
-  };
-  /// A held vertex that is near the other cell's box.
-  struct Candidate {
-    Vec3 point;  ///< as the other cell sees it: moved by -shift
-    std::int32_t vertex;
-    std::int32_t nearest;  ///< among Work::nearest; -1: nothing within reach so far
-  };
-  /// The candidates of one block of vertices: [first, last), and the box around them.
+  /// Vertices of one block that are near the other cell, and the box around them as the other cell sees it.
   struct Group {
     std::size_t first, last;
     Bounds box;
   };
-  /// What the search through a part of the pairs needs and finds.
-  struct Work {
-    std::vector<std::size_t> blocks;    ///< of the other cell's triangles that are near my cell
-    std::vector<Candidate> candidates;  ///< my vertices that are near those
+  /// A share of the pairs of cells, for one thread at a time: its lists, and what it finds by them.
+  struct Part {
+    std::vector<Meeting> meetings;
+    std::vector<Visit> visits;
+    std::vector<std::int32_t> vertices;  ///< of the meetings
+    std::vector<std::int32_t> visitors;  ///< numbers among the vertices of the meeting
+    std::vector<std::size_t> blocks;     ///< while the lists are made
     std::vector<Group> groups;
-    std::vector<Nearest> nearest;  ///< of the candidates that are within reach of a triangle
+    std::vector<Vec3> points;
     Patch patch;
+    std::vector<Nearest> nearest;  ///< by vertex of the present meeting
     std::vector<Hit> hits;
     bool has_unknown_corner = false;
   };
@@ -120,7 +130,6 @@ class Contacts {
   const ContactLaw& law(std::size_t a, std::size_t b) const { return laws_[a * surfaces_.size() + b]; }
   void take_laws(const ContactSettings& settings);
   void require_sound(const ContactLaw& law, double area, const std::string& between) const;
-
   Vec3 position(std::int32_t vertex) const {
     const double* const at = &vertices_->position[3 * static_cast<std::size_t>(vertex)];
     return {at[0], at[1], at[2]};
@@ -130,19 +139,26 @@ class Contacts {
     if (cell.first_place < 0) return static_cast<std::int32_t>(cell.first_vertex) + vertex;
     return place_[static_cast<std::size_t>(cell.first_place + vertex)];
   }
+
+  // contact_lists.cpp
+  bool lists_hold() const;
+  void make_lists();
   void list_cells();
-  void measure();
-  void measure(std::size_t number);
+  void measure(std::size_t cell);
   Slab slab_around(const Cell& cell, std::size_t block) const;
-  void search();
-  void meet(const Encounter& encounter, Work& work) const;
-  Bounds take_blocks(const Encounter& encounter, Work& work) const;
-  Bounds take_candidates(const Encounter& encounter, const Bounds& near, Work& work) const;
   bool is_near(const Bounds& box, const Slab& slab) const;
-  void approach(const Encounter& encounter, std::size_t block, Work& work) const;
+  void list_meeting(std::size_t mine, std::size_t other, const Vec3& shift, Part& part) const;
+  Bounds take_blocks(const Meeting& meeting, Part& part) const;
+  Bounds take_vertices(const Meeting& meeting, const Bounds& near, Part& part) const;
+  void list_visit(const Meeting& meeting, std::size_t block, Part& part) const;
+
+  // contact_search.cpp
+  void search();
+  void meet(const Meeting& meeting, Part& part) const;
   void load(const Cell& cell, std::size_t block, Patch& patch) const;
-  void come_nearer(Candidate& candidate, Work& work) const;
-  void press(const Encounter& encounter, std::int32_t vertex, const Nearest& nearest, Work& work) const;
+  void come_nearer(const Vec3& point, const Patch& patch, Nearest& nearest) const;
+  void press(const Meeting& meeting, std::int32_t vertex, const Nearest& nearest, Part& part) const;
+
   void apply(const Hit& hit, std::span<ContactLoad> loads);
   void push_from_walls(std::span<ContactLoad> loads);
 
@@ -153,9 +169,11 @@ class Contacts {
   std::vector<ContactLaw> laws_;         // between two types
   std::vector<ContactLaw> wall_laws_;    // by type
   double reach_ = 0, wall_reach_ = 0;
+  double skin_ = 0;  // um, that the lists reach further
   BoxPairs box_pairs_;
 
   const ContactVertices* vertices_ = nullptr;
+  ContactVertices listed_;     // the vertices when the lists were made
   std::vector<char> is_held_;  // by vertex
   std::vector<Cell> cells_;
   std::vector<std::int32_t> place_;   // by cell and vertex of its type: -1 where it is not known
@@ -164,7 +182,7 @@ class Contacts {
   std::vector<Bounds> triangle_boxes_;
   std::vector<Slab> slabs_;  // as triangle_boxes_
   std::vector<BoxPair> pairs_;
-  std::vector<Work> work_;
+  std::vector<Part> parts_;
   std::array<std::int64_t, 3> force_of_walls_{};
   Finding finding_;
 };

@@ -202,7 +202,7 @@ class Placer {
                          fixed_text(asked / volume, "%.3f") + "): random placement stopped at haematocrit " +
                          fixed_text(reached / volume, "%.3f") + " with " + std::to_string(full) +
                          " cells at full size; lower the haematocrit or placement.gap (now " +
-                         fixed_text(request_.gap, "%.3g") + " um), or take a larger domain");
+                         fixed_text(request_.gap, "%.3g") + " um), take a larger domain, or pack deformable cells first (npfem pack)");
   }
 
   Domain domain_;

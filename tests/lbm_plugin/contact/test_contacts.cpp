@@ -293,6 +293,23 @@ TEST(Contacts, MissNone) {
   EXPECT_EQ(suspension.finding.contacts, near);
 }
 
+// The lists of a Contacts that has seen the cells move, against those of a new one.
+TEST(Contacts, DoNotDependOnWhenTheirListsWereMade) {
+  Suspension suspension = crowd(16, 30, 5);
+  Contacts old(suspension.setup);
+  std::vector<ContactLoad> kept(suspension.vertices.id.size()), before;
+  for (int step = 0; step < 30; ++step) {
+    for (std::size_t i = 0; i < suspension.vertices.position.size(); ++i) {
+      const int cell = suspension.vertices.id[i / 3].cell;
+      suspension.vertices.position[i] += 0.01 * flows::random_value(cell, static_cast<std::int64_t>(i % 3));
+    }
+    old.evaluate(suspension.vertices, kept);
+    ASSERT_EQ(kept, suspension.loads()) << "after step " << step;
+    EXPECT_NE(kept, before);
+    before = kept;
+  }
+}
+
 TEST(Contacts, ActAcrossPeriodicFacesAndOnOwnImages) {
   Suspension near(box_of(20));
   near.setup.types = {testing::sphere(2, 3)};

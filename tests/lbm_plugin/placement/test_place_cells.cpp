@@ -213,7 +213,7 @@ TEST(PlaceCells, SaysWhatItReachedWhereThereIsNoRoom) {
   const std::string message = error_of(box(DomainKind::periodic_box, 10, 10, 10), types, {{23}, {}, 0.2, 1});
   EXPECT_EQ(message.substr(0, 82), "no room for 23 cells (haematocrit 0.753): random placement stopped at haematocrit ")
       << message;
-  EXPECT_NE(message.find("lower the haematocrit or placement.gap (now 0.2 um), or take a larger domain"),
+  EXPECT_NE(message.find("lower the haematocrit or placement.gap (now 0.2 um), take a larger domain, or pack"),
             std::string::npos)
       << message;
 }

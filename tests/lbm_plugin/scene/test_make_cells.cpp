@@ -104,7 +104,7 @@ TEST(MakeCells, SaysWhichHaematocritCannotBeReached) {
   const std::string message = error_of(with(shear_scene, "count = 1", "haematocrit = 0.9"));
   EXPECT_TRUE(message.starts_with("scene.toml: placement: no room for ")) << message;
   EXPECT_NE(message.find(" cells (haematocrit 0.9"), std::string::npos) << message;
-  EXPECT_NE(message.find("lower the haematocrit or placement.gap (now 0.3 um), or take a larger domain"),
+  EXPECT_NE(message.find("lower the haematocrit or placement.gap (now 0.3 um), take a larger domain, or pack"),
             std::string::npos)
       << message;
 }

@@ -57,6 +57,7 @@ void expect_same_as_alone(const flow::Setup& setup, int steps, bool expect_migra
   EXPECT_EQ(shared.minimum_gap(), alone.minimum_gap());
   EXPECT_EQ(shared.minimum_wall_gap(), alone.minimum_wall_gap());
   EXPECT_LT(shared.momentum_error(), 1e-10);
+  EXPECT_LT(alone.minimum_gap(), setup.contact.cells.range) << "no cells touch: the test is weak";
   EXPECT_TRUE(shared.failures().empty());
 
   const auto all = alone.local_cells();
