@@ -339,18 +339,18 @@ static void misuse_batches(const struct Objects* o) {
   FAILS(npfem_batch_measure(o->batch, NULL, 0, 1, &number, 1), NPFEM_ERROR_ARGUMENT,
         "npfem_batch_measure: key is NULL");
   FAILS(npfem_batch_pack(o->batch, 0, load, 3), NPFEM_ERROR_ARGUMENT,
-        "npfem_batch_pack: a packed cell needs an array of 1452 numbers, found "
+        "npfem_batch_pack: a packed cell needs an array of 1518 numbers, found "
         "3");
 }
 
 static void misuse_packed_cells(const struct Objects* o) {
-  static double packed[1452];
+  static double packed[1518];
   int64_t before = 0, after = 1;
   OK(npfem_batch_state_hash(o->batch, 0, 1, &before, 1));
-  OK(npfem_batch_pack(o->batch, 0, packed, 1452));
+  OK(npfem_batch_pack(o->batch, 0, packed, 1518));
   packed[0] = 1;
   packed[5] = HUGE_VAL;
-  FAILS(npfem_batch_unpack(o->batch, 0, packed, 1452), NPFEM_ERROR_INPUT,
+  FAILS(npfem_batch_unpack(o->batch, 0, packed, 1518), NPFEM_ERROR_INPUT,
         "npfem_batch_unpack: field \"position\": found inf at vertex 1 of cell 0; allowed are finite numbers");
   OK(npfem_batch_state_hash(o->batch, 0, 1, &after, 1));
   HOLDS(before == after);
