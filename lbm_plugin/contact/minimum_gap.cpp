@@ -114,30 +114,6 @@ void append(Bytes& bytes, std::span<const std::byte> raw) {
   bytes.insert(bytes.end(), raw.begin(), raw.end());
 }
 
-std::vector<CellSurface> all_cells(std::span<const CellType> types, Communicator& communicator,
-                                   std::span<const CellSurface> own) {
-  Bytes packed;
-  for (const CellSurface& cell : own) {
-    const std::array<int, 2> tag{cell.id, cell.type};
-    append(packed, std::as_bytes(std::span(tag)));
-    append(packed, std::as_bytes(std::span(cell.positions)));
-  }
-  std::vector<CellSurface> all;
-  for (const Bytes& bytes : communicator.all_gather(packed)) {
-    for (std::size_t at = 0; at < bytes.size();) {
-      std::array<int, 2> tag;
-      std::memcpy(tag.data(), bytes.data() + at, sizeof tag);
-      at += sizeof tag;
-      CellSurface& cell = all.emplace_back(CellSurface{tag[0], tag[1], {}});
-      cell.positions.resize(types[static_cast<std::size_t>(cell.type)].shape.size());
-      const std::size_t length = cell.positions.size() * sizeof(double);
-      std::memcpy(cell.positions.data(), bytes.data() + at, length);
-      at += length;
-    }
-  }
-  return all;
-}
-
 /// Shifts by whole periods that bring `b` among the nearest images of `a`: those beside the nearest one, too.
 std::vector<Vec3> images(const Domain& domain, const Bounds& a, const Bounds& b) {
   std::vector<Vec3> shifts{{0, 0, 0}};
@@ -187,6 +163,30 @@ double smallest(Communicator& communicator, double value) {
 }
 
 }  // namespace
+
+std::vector<CellSurface> all_cells(std::span<const CellType> types, Communicator& communicator,
+                                   std::span<const CellSurface> own) {
+  Bytes packed;
+  for (const CellSurface& cell : own) {
+    const std::array<int, 2> tag{cell.id, cell.type};
+    append(packed, std::as_bytes(std::span(tag)));
+    append(packed, std::as_bytes(std::span(cell.positions)));
+  }
+  std::vector<CellSurface> all;
+  for (const Bytes& bytes : communicator.all_gather(packed)) {
+    for (std::size_t at = 0; at < bytes.size();) {
+      std::array<int, 2> tag;
+      std::memcpy(tag.data(), bytes.data() + at, sizeof tag);
+      at += sizeof tag;
+      CellSurface& cell = all.emplace_back(CellSurface{tag[0], tag[1], {}});
+      cell.positions.resize(types[static_cast<std::size_t>(cell.type)].shape.size());
+      const std::size_t length = cell.positions.size() * sizeof(double);
+      std::memcpy(cell.positions.data(), bytes.data() + at, length);
+      at += length;
+    }
+  }
+  return all;
+}
 
 double smallest_cell_gap(const Domain& domain, std::span<const CellType> types, Communicator& communicator,
                          std::span<const CellSurface> own) {

@@ -17,6 +17,10 @@ struct CellSurface {
   std::vector<double> positions;  ///< xyz, um, unwrapped
 };
 
+/// The cells of all ranks, on every rank. Collective.
+std::vector<CellSurface> all_cells(std::span<const CellType> types, Communicator& communicator,
+                                   std::span<const CellSurface> own);
+
 /// Smallest distance (um) from a vertex of one cell to the surface of another, or of its own periodic image, in the
 /// whole system; negative by how far a vertex is inside another cell. Infinity where there is no other surface.
 /// `own`: the cells of this rank. Looks at all pairs of cells that could be closest: for output and tests, not for

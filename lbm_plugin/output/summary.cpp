@@ -42,6 +42,7 @@ Summary summarise(const Scene& scene, const Simulation& simulation, Communicator
   s.momentum_error = simulation.momentum_error();
   s.volume_error = simulation.volume_error();
   s.minimum_gap_um = simulation.minimum_gap();
+  s.crossings = simulation.crossings();
   s.worst_residual_pN = s.counters.worst_residual_pN;
   if (s.counters.cell_steps > 0) {
     s.iterations_per_cell_step =
@@ -86,6 +87,7 @@ std::string to_json(const Summary& s) {
       {"momentum_error", s.momentum_error},
       {"volume_error", s.volume_error},
       {"minimum_gap_um", s.minimum_gap_um},
+      {"crossing_triangles", s.crossings},
       {"worst_residual_pN", s.worst_residual_pN},
       {"iterations_per_cell_step", s.iterations_per_cell_step},
       {"rheology", rheology},

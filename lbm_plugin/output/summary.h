@@ -33,6 +33,7 @@ struct Summary {
   double momentum_error = 0;
   double volume_error = 0;
   double minimum_gap_um = 0;
+  std::int64_t crossings = 0;  ///< pairs of triangles of different surfaces that cut each other
   double worst_residual_pN = 0;
   double iterations_per_cell_step = 0;
   std::vector<std::pair<std::string, double>> rheology;  ///< on rank 0, see rheology_means()

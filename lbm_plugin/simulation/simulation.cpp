@@ -14,6 +14,7 @@
 #include "checkpoint/checkpoint_header.h"
 #include "checkpoint/fluid_section.h"
 #include "contact/minimum_gap.h"
+#include "contact/surface_crossing.h"
 #include "coupling/coupling.h"
 #include "coupling/stopwatch.h"
 #include "geometry/cell_shape.h"
@@ -356,6 +357,14 @@ double Simulation::volume_error() const {
 
 double Simulation::momentum_error() const {
   return state_->audit.error(state_->lattice, state_->communicator);
+}
+
+std::int64_t Simulation::crossings() const {
+  const auto all = all_cells(state_->setup.types, state_->communicator, state_->surfaces());
+  std::int64_t found =
+      state_->communicator.rank() == 0 ? count_crossings(state_->setup.domain, state_->setup.types, all) : 0;
+  state_->communicator.sum(std::span(&found, 1));
+  return found;
 }
 
 double Simulation::minimum_gap() const {

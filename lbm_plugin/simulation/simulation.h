@@ -95,6 +95,7 @@ class Simulation {
   double volume_error() const;       ///< max over all cells of |V / V_start - 1|; collective
   double momentum_error() const;     ///< see coupling/momentum_audit.h; collective
   double minimum_gap() const;        ///< um, see contact/minimum_gap.h: signed; collective
+  std::int64_t crossings() const;    ///< pairs of triangles of different surfaces that cut each other; collective
   double minimum_wall_gap() const;   ///< um, vertex to wall, infinity without walls; collective
   std::uint64_t state_hash() const;  ///< of fluid and cells, the same for any number of ranks; collective
 
