@@ -5,10 +5,11 @@
 # packs, which strict aliasing would forbid.
 #
 # Sanitizers stay outside: instrumented, one of these files takes the compiler many minutes. What the kernels touch is
-# laid out, and bounded, by code that is instrumented; run valgrind on test_cpu after a change here.
+# laid out, and bounded, by code that is instrumented; run valgrind on test_cpu after a change here. A build for the
+# sanitizers has the baseline kernels only, made quickly.
 set(NPFEM_KERNEL_OPTIONS -O3 -ffp-contract=fast -fno-strict-aliasing -fno-math-errno)
 if(NPFEM_SANITIZE)
-  list(APPEND NPFEM_KERNEL_OPTIONS -fno-sanitize=all)
+  list(APPEND NPFEM_KERNEL_OPTIONS -O1 -fno-sanitize=all)
 endif()
 
 function(npfem_kernels instruction_set)
@@ -20,7 +21,7 @@ function(npfem_kernels instruction_set)
 endfunction()
 
 npfem_kernels(baseline)
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT NPFEM_SANITIZE)
   npfem_kernels(avx2 -mavx2 -mfma)
   npfem_kernels(avx512 -mavx2 -mfma -mavx512f -mavx512dq -mavx512vl -mavx512bw -mprefer-vector-width=512)
   target_compile_definitions(npfem_core PRIVATE NPFEM_X86_KERNELS)
