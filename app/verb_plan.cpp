@@ -53,6 +53,18 @@ const char* name_of(flow::DomainKind kind) {
   return "periodic_box";
 }
 
+const char* name_of(flow::CouplingScheme scheme) {
+  switch (scheme) {
+    case flow::CouplingScheme::peskin:
+      return "peskin";
+    case flow::CouplingScheme::lineage:
+      return "lineage";
+    case flow::CouplingScheme::implicit:
+      break;
+  }
+  return "implicit";
+}
+
 std::vector<std::string> energies_of(const api::Model& model) {
   std::vector<std::string> names;
   const int count = api::check(npfem_model_energy_count(model.handle()));
@@ -114,7 +126,7 @@ Json describe(const flow::Scene& scene) {
         {"starts_developed", setup.start_developed}}},
       {"coupling",
        {{"active", vertices > 0},
-        {"scheme", setup.coupling.scheme == flow::CouplingScheme::implicit ? "implicit" : "peskin"},
+        {"scheme", name_of(setup.coupling.scheme)},
         {"kernel_points", setup.coupling.kernel_points},
         {"fluid_steps_per_cell_step", setup.coupling.steps_per_solve}}},
       {"contact",
@@ -149,8 +161,9 @@ void print_active(const Json& plan) {
     std::puts("coupling  none: there are no cells");
     return;
   }
-  std::printf("coupling  %s, %d-point kernel, cells solved every %d fluid step(s)\n",
-              plan.at("coupling").at("scheme").get<std::string>().c_str(),
+  const auto scheme = plan.at("coupling").at("scheme").get<std::string>();
+  const char* remark = scheme == "lineage" ? " (for comparison only: momentum is not kept)" : "";
+  std::printf("coupling  %s%s, %d-point kernel, cells solved every %d fluid step(s)\n", scheme.c_str(), remark,
               plan.at("coupling").at("kernel_points").get<int>(),
               plan.at("coupling").at("fluid_steps_per_cell_step").get<int>());
   std::printf("contact   between cells: %s; with walls: %s\n",

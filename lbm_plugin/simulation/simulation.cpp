@@ -112,7 +112,7 @@ void Simulation::State::start() {
 }
 
 void Simulation::State::make_coupling() {
-  if (link) coupling = Coupling::create({setup, units, cells, *link, lattice, audit});
+  if (link) coupling = Coupling::create({setup, units, cells, *link, lattice, audit, communicator});
   for (const CellType& type : setup.types) start_volumes.push_back(enclosed_volume(type.shape, type.triangles));
 }
 
@@ -171,7 +171,7 @@ void Simulation::save(CheckpointWriter& file, CheckpointHeader& header) const {
 void Simulation::step() {
   State& s = *state_;
   if (!s.setup.waveform.is_constant() && (!s.coupling || s.solves_now())) s.drive();
-  if (s.solves_now()) s.load_fluid();
+  if (s.coupling) s.load_fluid();
   {
     const Stopwatch watch(s.counters.fluid_seconds);
     s.lattice.step();
@@ -186,6 +186,7 @@ void Simulation::step() {
 
 void Simulation::State::load_fluid() {
   const Stopwatch watch(coupling_seconds);
+  if (!solves_now()) return coupling->renew_load(static_cast<int>(steps % setup.coupling.steps_per_solve));
   cells.migrate();
   record(coupling->load_fluid());
 }
