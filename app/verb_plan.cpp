@@ -89,6 +89,7 @@ Json describe_cells(const flow::Scene& scene, const std::vector<int>& counts) {
                     {"rest_volume_um3", model.measure("rest_volume")},
                     {"shear_modulus_uN_per_m", model.measure("shear_modulus")},
                     {"largest_modulus_uN_per_m", model.measure("largest_modulus")},
+                    {"interior_viscosity_ratio", scene.setup.types[type].interior_viscosity_ratio},
                     {"energies", energies_of(model)}});
   }
   return list;
@@ -152,6 +153,9 @@ void print_cells(const Json& plan) {
                 type.at("haematocrit").get<double>(), type.at("vertices").get<int>(),
                 type.at("rest_area_um2").get<double>(), type.at("rest_volume_um3").get<double>());
     for (const Json& energy : type.at("energies")) std::printf(" %s", energy.get<std::string>().c_str());
+    const double ratio = type.at("interior_viscosity_ratio").get<double>();
+    if (ratio != 1)
+      std::printf("; viscosity inside %.4g times that outside, nodes inside found anew in every solve", ratio);
     std::printf("\n");
   }
 }

@@ -14,6 +14,7 @@
 #include "checkpoint/fluid_section.h"
 #include "contact/minimum_gap.h"
 #include "coupling/coupling.h"
+#include "coupling/interior.h"
 #include "coupling/stopwatch.h"
 #include "geometry/cell_shape.h"
 #include "geometry/vec3.h"
@@ -51,6 +52,7 @@ struct Simulation::State {
         lattice(group, decomposition, lattice_geometry(setup.domain, units), lattice_options(setup, units)),
         cells(make_cells(setup, group, decomposition, place_cells)) {
     if (!setup.cells.empty()) link.emplace(setup, units, group, lattice);
+    if (has_viscosity_contrast(setup)) interior.emplace(setup, group, lattice);
   }
 
   void start();
@@ -59,6 +61,7 @@ struct Simulation::State {
   void restore(CheckpointFile& file, const CheckpointHeader& header);
   void make_coupling();
   void load_fluid();
+  void mark_interior();
   void record(const CellStepReport& report);
   void record_failures(const std::vector<LocalFailure>& local);
   bool solves_now() const { return coupling && steps % setup.coupling.steps_per_solve == 0; }
@@ -70,7 +73,8 @@ struct Simulation::State {
   Decomposition decomposition;
   Lattice lattice;
   CellPopulation cells;
-  std::optional<FluidLink> link;  // this and the next: none where there are no cells
+  std::optional<FluidLink> link;     // none where there are no cells
+  std::optional<Interior> interior;  // none where no cell has a viscosity of its own
   MomentumAudit audit;
   std::unique_ptr<Coupling> coupling;
   std::vector<double> start_volumes;  // um3, by type
@@ -107,6 +111,7 @@ void Simulation::State::start() {
   if (coupling) {
     const Stopwatch watch(coupling_seconds);
     coupling->hold_present_forces();
+    mark_interior();
   }
   audit.start(lattice);
 }
@@ -147,6 +152,7 @@ void Simulation::State::restore(CheckpointFile& file, const CheckpointHeader& he
   load_cells(cells, setup.cells, file, communicator);
   // An explicit scheme follows the fluid at the places where it has spread; no vertex has moved since.
   if (link) link->locate(cells, 0);
+  mark_interior();
   audit.restore(communicator.rank() == 0 ? header.audit : MomentumAudit::Record{});
   earlier = header.counters;
   failures = header.failures;
@@ -189,6 +195,12 @@ void Simulation::State::load_fluid() {
   if (!solves_now()) return coupling->renew_load(static_cast<int>(steps % setup.coupling.steps_per_solve));
   cells.migrate();
   record(coupling->load_fluid());
+  mark_interior();
+}
+
+/// By the positions that the cells keep until the next solve, and that a checkpoint between the two holds.
+void Simulation::State::mark_interior() {
+  if (interior) interior->mark(cells);
 }
 
 void Simulation::State::record(const CellStepReport& report) {

@@ -116,6 +116,14 @@ TEST(Continuation, OfTheCouplingOfTheLineage) {
   expect_same_as_straight(setup, 11, 9, 6);
 }
 
+TEST(Continuation, OfAViscosityInside) {
+  for (const CouplingScheme scheme : {CouplingScheme::implicit, CouplingScheme::peskin}) {
+    flow::Setup setup = scene(DomainKind::periodic_box, scheme, 3);
+    setup.types[0].interior_viscosity_ratio = 5;
+    expect_same_as_straight(setup, 31, 7, 6);
+  }
+}
+
 TEST(Continuation, OfAFluidAlone) {
   flow::Setup setup = scene(DomainKind::tube, CouplingScheme::implicit, 1);
   setup.cells.clear();

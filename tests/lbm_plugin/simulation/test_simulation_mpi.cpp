@@ -86,6 +86,12 @@ TEST(SameBits, WithTheExplicitCoupling) {
   expect_same_as_alone(scene(DomainKind::periodic_box, CouplingScheme::peskin, 2), 150, true);
 }
 
+TEST(SameBits, WithAViscosityInside) {
+  flow::Setup setup = scene(DomainKind::periodic_box, CouplingScheme::implicit, 2);
+  setup.types[0].interior_viscosity_ratio = 5;
+  expect_same_as_alone(setup, 100, false);
+}
+
 TEST(SameBits, WithTheCouplingOfTheLineage) {
   for (const DomainKind kind : {DomainKind::periodic_box, DomainKind::shear_box}) {
     flow::Setup setup = scene(kind, CouplingScheme::lineage, 2);
