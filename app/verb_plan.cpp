@@ -66,14 +66,14 @@ const char* name_of(flow::DomainKind kind) {
 
 const char* name_of(flow::CouplingScheme scheme) {
   switch (scheme) {
-    case flow::CouplingScheme::implicit:
-      return "implicit";
     case flow::CouplingScheme::peskin:
       return "peskin";
     case flow::CouplingScheme::lineage:
+      return "lineage";
+    case flow::CouplingScheme::implicit:
       break;
   }
-  return "lineage";
+  return "implicit";
 }
 
 std::vector<std::string> energies_of(const api::Model& model) {
@@ -100,6 +100,7 @@ Json describe_cells(const flow::Scene& scene, const std::vector<int>& counts) {
                     {"rest_volume_um3", model.measure("rest_volume")},
                     {"shear_modulus_uN_per_m", model.measure("shear_modulus")},
                     {"largest_modulus_uN_per_m", model.measure("largest_modulus")},
+                    {"interior_viscosity_ratio", scene.setup.types[type].interior_viscosity_ratio},
                     {"energies", energies_of(model)}});
   }
   return list;
@@ -163,6 +164,9 @@ void print_cells(const Json& plan) {
                 type.at("haematocrit").get<double>(), type.at("vertices").get<int>(),
                 type.at("rest_area_um2").get<double>(), type.at("rest_volume_um3").get<double>());
     for (const Json& energy : type.at("energies")) std::printf(" %s", energy.get<std::string>().c_str());
+    const double ratio = type.at("interior_viscosity_ratio").get<double>();
+    if (ratio != 1)
+      std::printf("; viscosity inside %.4g times that outside, nodes inside found anew in every solve", ratio);
     std::printf("\n");
   }
 }
@@ -172,8 +176,9 @@ void print_active(const Json& plan) {
     std::puts("coupling  none: there are no cells");
     return;
   }
-  std::printf("coupling  %s, %d-point kernel, cells solved every %d fluid step(s)\n",
-              plan.at("coupling").at("scheme").get<std::string>().c_str(),
+  const auto scheme = plan.at("coupling").at("scheme").get<std::string>();
+  const char* remark = scheme == "lineage" ? " (for comparison only: momentum is not kept)" : "";
+  std::printf("coupling  %s%s, %d-point kernel, cells solved every %d fluid step(s)\n", scheme.c_str(), remark,
               plan.at("coupling").at("kernel_points").get<int>(),
               plan.at("coupling").at("fluid_steps_per_cell_step").get<int>());
   std::printf("contact   between cells: %s; with walls: %s\n",

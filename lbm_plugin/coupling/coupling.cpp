@@ -2,9 +2,9 @@
 #include "coupling/coupling.h"
 
 #include <cmath>
-#include <stdexcept>
 
 #include "coupling/implicit_coupling.h"
+#include "coupling/lineage_coupling.h"
 #include "coupling/peskin_coupling.h"
 #include "geometry/vec3.h"
 
@@ -12,9 +12,7 @@ namespace npfem::flow {
 
 std::unique_ptr<Coupling> Coupling::create(const CoupledParts& parts) {
   if (parts.setup.coupling.scheme == CouplingScheme::peskin) return std::make_unique<PeskinCoupling>(parts);
-  if (parts.setup.coupling.scheme == CouplingScheme::lineage) {
-    throw std::invalid_argument("coupling.scheme \"lineage\" is not built yet; take \"implicit\" or \"peskin\"");
-  }
+  if (parts.setup.coupling.scheme == CouplingScheme::lineage) return std::make_unique<LineageCoupling>(parts);
   return std::make_unique<ImplicitCoupling>(parts);
 }
 
@@ -33,6 +31,10 @@ void Coupling::hold_present_forces() {
 
 void Coupling::apply_forces(const Vec3& outside) {
   parts_.fluid.apply(force_);
+  book_forces(outside);
+}
+
+void Coupling::book_forces(const Vec3& outside) {
   double magnitude = 0;
   for (std::size_t v = 0; v < force_.size() / 3; ++v) {
     magnitude += norm({force_[3 * v], force_[3 * v + 1], force_[3 * v + 2]});

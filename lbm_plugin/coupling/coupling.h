@@ -20,10 +20,11 @@ struct CoupledParts {
   FluidLink& fluid;
   Lattice& lattice;
   MomentumAudit& audit;
+  Communicator& communicator;
 };
 
 /// A way to let cells and fluid advance together by delta = steps_per_solve fluid steps: load_fluid() before them,
-/// follow_fluid() after them. Collective.
+/// renew_load() between them, follow_fluid() after them. Collective.
 class Coupling {
  public:
   static std::unique_ptr<Coupling> create(const CoupledParts& parts);
@@ -31,18 +32,22 @@ class Coupling {
 
   /// Gives the lattice the forces that the vertices exert on it for the next delta.
   virtual CellStepReport load_fluid() = 0;
+  /// Before the fluid steps between, `steps_since_solve` after the last one that began with load_fluid().
+  virtual void renew_load(int /*steps_since_solve*/) {}
   /// Lets the vertices follow, where they have not moved before.
   virtual CellStepReport follow_fluid() { return {}; }
 
   /// Lets fluid and cells hold the forces of the present positions: elastic forces and contacts.
-  void hold_present_forces();
+  virtual void hold_present_forces();
 
  protected:
   explicit Coupling(const CoupledParts& parts);
 
-  /// Spreads force_ where the vertices were located; `outside`: what the cells give to the fluid beside what acts on
-  /// them from walls, pN, so that the momentum of all can be audited.
+  /// Spreads force_ where the vertices were located and books it.
   void apply_forces(const Vec3& outside);
+  /// Makes force_ known to the audit of momentum; `outside`: what the cells give to the fluid beside what acts on them
+  /// from walls, pN.
+  void book_forces(const Vec3& outside);
 
   CoupledParts parts_;
   double delta_;                                               // us

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "coupling/crowding.h"
 #include "coupling/stopwatch.h"
 #include "geometry/vec3.h"
 
@@ -44,6 +45,7 @@ FluidLink::FluidLink(const Setup& setup, const Units& units, Communicator& commu
       exchange_(communicator, lattice.decomposition(), units.dx),
       boundary_(setup.coupling.kernel_points, lattice),
       contacts_(setup),
+      domain_(setup.domain),
       types_(setup.types),
       has_walls_(setup.domain.has_walls()),
       communicator_(communicator) {}
@@ -56,6 +58,12 @@ void FluidLink::locate(const CellPopulation& cells, double delta) {
   for (std::size_t i = 0; i < positions_.size(); ++i) expected_[i] = positions_[i] + delta * velocities_[i];
   own_vertices_ = cells.vertices().size();
   exchange_.share_positions(cells.vertices(), positions_, expected_, contact_reach(cells, delta));
+}
+
+void FluidLink::locate_at(const CellPopulation& cells, std::span<const double> positions) {
+  const Stopwatch watch(seconds_.exchange);
+  own_vertices_ = cells.vertices().size();
+  exchange_.share_positions(cells.vertices(), positions, positions, 0);
 }
 
 /// Nodes from a held vertex to the farthest corner of a triangle that it may touch: their greatest distance when the
@@ -107,6 +115,12 @@ void FluidLink::sample_contact(std::vector<double>& contact) {
   const Stopwatch watch(seconds_.exchange);
   exchange_.return_to_owners({}, 0, {}, found_, own_);
   take_forces(contact);
+}
+
+void FluidLink::sample_crowding(std::vector<double>& crowded) {
+  const Stopwatch watch(seconds_.contacts);
+  crowded.resize(own_vertices_);
+  exchange_.return_to_owners(crowded_vertices(exchange_.known(), lattice_.decomposition(), domain_), 1, crowded);
 }
 
 void FluidLink::sample(std::vector<double>& velocity, std::vector<double>& contact, std::vector<double>& stiffness) {

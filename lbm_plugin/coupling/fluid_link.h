@@ -27,11 +27,17 @@ class FluidLink {
   /// vertices would be after `delta` (us) at their present velocities.
   void locate(const CellPopulation& cells, double delta);
 
+  /// The same at other positions of the vertices (um), contacts left out.
+  void locate_at(const CellPopulation& cells, std::span<const double> positions);
+
   /// Velocity of the fluid at the vertices, with half of the force held by the lattice.
   void sample_velocity(std::vector<double>& velocity);
   /// Forces of contacts between cells and with walls.
   void sample_contact(std::vector<double>& contact);
-  /// Both, in one message per pair of ranks, and the stiffness of the contacts, one number per vertex, pN/um.
+  /// One number per vertex, 1 where another cell or a wall is within one node (crowding.h), else 0.
+  void sample_crowding(std::vector<double>& crowded);
+  /// Velocities and contacts in one message per pair of ranks, and the stiffness of the contacts, one number per
+  /// vertex, pN/um.
   void sample(std::vector<double>& velocity, std::vector<double>& contact, std::vector<double>& stiffness);
 
   /// Makes the lattice hold the body force and these forces from now on.
@@ -64,6 +70,7 @@ class FluidLink {
   VertexExchange exchange_;
   ImmersedBoundary boundary_;
   Contacts contacts_;
+  const Domain& domain_;
   const std::vector<CellType>& types_;
   bool has_walls_;
   Communicator& communicator_;

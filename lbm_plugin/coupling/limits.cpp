@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "coupling/ambient_mass.h"
+#include "coupling/interior.h"
 #include "units.h"
 
 namespace npfem::flow {
@@ -23,10 +24,17 @@ Limit judged(std::string name, std::string meaning, double value, double strict_
   return {std::move(name), std::move(meaning), value, strict_bound, bound, verdict, text};
 }
 
-void add_fluid_limits(std::vector<Limit>& limits, const Units& units, double tau, double speed, double shear_rate) {
+void add_fluid_limits(std::vector<Limit>& limits, const Units& units, double tau, double ratio, double speed,
+                      double shear_rate) {
   limits.push_back(judged("tau", "relaxation time of the lattice fluid, in time steps; above 1/2", tau, 12.0, 12.0,
                           {"steady flow is exact between walls; for flow that changes in time, see gdot T", "",
                            "larger than any that has been tried; reduce time_step"}));
+  if (ratio != 1) {
+    limits.push_back(judged(
+        "tau_inside", "the same inside the cells, whose fluid has a viscosity of its own", 0.5 + ratio * (tau - 0.5),
+        12.0, 12.0,
+        {"the fluid inside is as good as that outside", "", "larger than any that has been tried; reduce time_step"}));
+  }
   const double sound = units.velocity() / std::sqrt(3.0);
   limits.push_back(
       judged("Ma", "fastest imposed flow over the lattice's speed of sound; the lattice fluid is compressible",
@@ -71,7 +79,8 @@ void add_cell_limits(std::vector<Limit>& limits, const Setup& setup, const Units
 std::vector<Limit> accuracy_limits(const Setup& setup, double speed, double shear_rate) {
   const Units units{setup.domain.dx, setup.time_step, setup.density};
   std::vector<Limit> limits;
-  add_fluid_limits(limits, units, units.relaxation_time(setup.kinematic_viscosity), speed, shear_rate);
+  add_fluid_limits(limits, units, units.relaxation_time(setup.kinematic_viscosity), interior_viscosity_ratio(setup),
+                   speed, shear_rate);
   for (const CellType& type : setup.types) add_cell_limits(limits, setup, units, type);
   return limits;
 }

@@ -27,6 +27,7 @@ struct Limit {
 
 /// The limits of time step and resolution, all without dimension:
 ///   tau                relaxation time in steps; the lattice is accurate in steady flow at any tau
+///   tau_inside         the same inside cells whose fluid has a viscosity of its own
 ///   Ma                 fastest imposed flow over the lattice's speed of sound
 ///   gdot T             T = (tau - 1/2) dt: in time the lattice is a Maxwell fluid that forgets over T
 ///   kappa = delta^2 G / (rho ell a^2)   compliance of the implicit coupling with modulus G, once for the shear modulus

@@ -16,6 +16,7 @@
 #include "contact/minimum_gap.h"
 #include "contact/surface_crossing.h"
 #include "coupling/coupling.h"
+#include "coupling/interior.h"
 #include "coupling/stopwatch.h"
 #include "geometry/cell_shape.h"
 #include "geometry/vec3.h"
@@ -53,6 +54,7 @@ struct Simulation::State {
         lattice(group, decomposition, lattice_geometry(setup.domain, units), lattice_options(setup, units)),
         cells(make_cells(setup, group, decomposition, place_cells)) {
     if (!setup.cells.empty()) link.emplace(setup, units, group, lattice);
+    if (has_viscosity_contrast(setup)) interior.emplace(setup, group, lattice);
   }
 
   void start();
@@ -62,6 +64,7 @@ struct Simulation::State {
   void make_coupling();
   void load_fluid();
   void stop_at_openings();
+  void mark_interior();
   void record(const CellStepReport& report);
   void record_failures(const std::vector<LocalFailure>& local);
   bool solves_now() const { return coupling && steps % setup.coupling.steps_per_solve == 0; }
@@ -73,7 +76,8 @@ struct Simulation::State {
   Decomposition decomposition;
   Lattice lattice;
   CellPopulation cells;
-  std::optional<FluidLink> link;  // this and the next: none where there are no cells
+  std::optional<FluidLink> link;     // none where there are no cells
+  std::optional<Interior> interior;  // none where no cell has a viscosity of its own
   MomentumAudit audit;
   std::unique_ptr<Coupling> coupling;
   std::vector<double> start_volumes;  // um3, by type
@@ -110,12 +114,13 @@ void Simulation::State::start() {
   if (coupling) {
     const Stopwatch watch(coupling_seconds);
     coupling->hold_present_forces();
+    mark_interior();
   }
   audit.start(lattice);
 }
 
 void Simulation::State::make_coupling() {
-  if (link) coupling = Coupling::create({setup, units, cells, *link, lattice, audit});
+  if (link) coupling = Coupling::create({setup, units, cells, *link, lattice, audit, communicator});
   for (const CellType& type : setup.types) start_volumes.push_back(enclosed_volume(type.shape, type.triangles));
 }
 
@@ -150,6 +155,7 @@ void Simulation::State::restore(CheckpointFile& file, const CheckpointHeader& he
   load_cells(cells, setup.cells, file, communicator);
   // An explicit scheme follows the fluid at the places where it has spread; no vertex has moved since.
   if (link) link->locate(cells, 0);
+  mark_interior();
   audit.restore(communicator.rank() == 0 ? header.audit : MomentumAudit::Record{});
   earlier = header.counters;
   failures = header.failures;
@@ -174,7 +180,7 @@ void Simulation::save(CheckpointWriter& file, CheckpointHeader& header) const {
 void Simulation::step() {
   State& s = *state_;
   if (!s.setup.waveform.is_constant() && (!s.coupling || s.solves_now())) s.drive();
-  if (s.solves_now()) s.load_fluid();
+  if (s.coupling) s.load_fluid();
   {
     const Stopwatch watch(s.counters.fluid_seconds);
     s.lattice.step();
@@ -212,9 +218,16 @@ void Simulation::State::stop_at_openings() {
 
 void Simulation::State::load_fluid() {
   const Stopwatch watch(coupling_seconds);
+  if (!solves_now()) return coupling->renew_load(static_cast<int>(steps % setup.coupling.steps_per_solve));
   cells.migrate();
   if (!setup.domain.openings.empty()) stop_at_openings();
   record(coupling->load_fluid());
+  mark_interior();
+}
+
+/// By the positions that the cells keep until the next solve, and that a checkpoint between the two holds.
+void Simulation::State::mark_interior() {
+  if (interior) interior->mark(cells);
 }
 
 void Simulation::State::record(const CellStepReport& report) {

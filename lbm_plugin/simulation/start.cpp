@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "coupling/interior.h"
 #include "geometry/vec3.h"
 
 namespace npfem::flow {
@@ -67,10 +68,11 @@ void require_sound(const Setup& setup) {
   }
   if (setup.domain.kind == DomainKind::tube) require_positive(setup.domain.tube_radius, "tube_radius", "um");
   for (const CellType& type : setup.types) {
-    require(type.interior_viscosity_ratio == 1, "cells \"" + type.name + "\" have an interior viscosity ratio of " +
-                                                    std::to_string(type.interior_viscosity_ratio) +
-                                                    "; only 1 is built yet");
+    const double ratio = type.interior_viscosity_ratio;
+    require(std::isfinite(ratio) && ratio > 0, "cells \"" + type.name + "\" have an interior viscosity ratio of " +
+                                                   std::to_string(ratio) + "; it must be positive and finite");
   }
+  interior_viscosity_ratio(setup);  // refuses ratios that differ
   require(setup.coupling.steps_per_solve >= 1,
           "steps_per_solve is " + std::to_string(setup.coupling.steps_per_solve) + "; it must be at least 1");
 }
@@ -93,6 +95,9 @@ LatticeOptions lattice_options(const Setup& setup, const Units& units) {
   options.collision = setup.collision;
   options.precision = setup.fluid_precision;
   options.node_force = !setup.cells.empty();
+  if (has_viscosity_contrast(setup)) {
+    options.inside_tau = units.relaxation_time(interior_viscosity_ratio(setup) * setup.kinematic_viscosity);
+  }
   return options;
 }
 
