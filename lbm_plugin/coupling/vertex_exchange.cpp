@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -75,6 +76,7 @@ VertexExchange::BlocksNear VertexExchange::blocks_within(int reach) const {
 
 void VertexExchange::share_positions(std::span<const VertexId> ids, std::span<const double> positions,
                                      std::span<const double> expected, int contact_reach) {
+  if (communicator_.size() == 1) return know_own(ids, positions, expected);
   const int reach = std::max(contact_reach, Lattice::kHalo);
   if (reach != contact_reach_) near_contact_ = blocks_within(reach);
   contact_reach_ = reach;
@@ -93,6 +95,20 @@ void VertexExchange::share_positions(std::span<const VertexId> ids, std::span<co
   }
   communicator_.exchange(outgoing_, incoming_);
   unpack_positions();
+}
+
+/// A rank that is alone knows, and holds, what it owns, in the same order.
+void VertexExchange::know_own(std::span<const VertexId> ids, std::span<const double> positions,
+                              std::span<const double> expected) {
+  known_.id.assign(ids.begin(), ids.end());
+  known_.position.assign(positions.begin(), positions.end());
+  known_.in_nodes.resize(positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) known_.in_nodes[i] = positions[i] / dx_;
+  known_.held.resize(ids.size());
+  std::iota(known_.held.begin(), known_.held.end(), 0);
+  contact_vertices_.id.assign(ids.begin(), ids.end());
+  contact_vertices_.position.assign(expected.begin(), expected.end());
+  contact_vertices_.held = known_.held;
 }
 
 template <class Visit>
@@ -229,6 +245,10 @@ void VertexExchange::unpack_held(std::size_t width, std::span<double> returned) 
 }
 
 void VertexExchange::return_to_owners(std::span<const double> values, int components, std::span<double> returned) {
+  if (communicator_.size() == 1) {
+    std::copy(values.begin(), values.end(), returned.begin());
+    return;
+  }
   const auto width = static_cast<std::size_t>(components);
   pack_held(values, width);
   exchange_messages();
@@ -237,6 +257,11 @@ void VertexExchange::return_to_owners(std::span<const double> values, int compon
 
 void VertexExchange::return_to_owners(std::span<const double> values, int components, std::span<double> returned,
                                       std::span<const ContactLoad> loads, std::span<ContactLoad> own_loads) {
+  if (communicator_.size() == 1) {
+    std::copy(values.begin(), values.end(), returned.begin());
+    std::copy(loads.begin(), loads.end(), own_loads.begin());
+    return;
+  }
   const auto width = static_cast<std::size_t>(components);
   pack_held(values, width);
   for (Link& link : links_) {
@@ -261,6 +286,10 @@ void VertexExchange::return_to_owners(std::span<const double> values, int compon
 }
 
 void VertexExchange::share_forces(std::span<const double> forces, std::vector<double>& arrived) {
+  if (communicator_.size() == 1) {
+    arrived.assign(forces.begin(), forces.end());
+    return;
+  }
   for (Link& link : links_) {
     link.message.clear();
     for (const int v : link.sent_near) append(link.message, forces.subspan(3 * static_cast<std::size_t>(v), 3));

@@ -83,6 +83,7 @@ class VertexExchange {
   BlocksNear blocks_within(int reach) const;
   template <class Visit>
   void for_each_rank_near(const BlocksNear& near, const Index3& node, Visit&& visit) const;
+  void know_own(std::span<const VertexId> ids, std::span<const double> positions, std::span<const double> expected);
   void plan(std::span<const double> positions);
   void unpack_positions();
   void place(const Run& run, std::size_t at);
