@@ -54,11 +54,10 @@ void LineageCoupling::renew_load(int steps_since_solve) {
 /// With vertices at position_ moving at velocity_; leaves the sum over the iterations in force_.
 void LineageCoupling::force_fluid() {
   const Setup& setup = parts_.setup;
-  constexpr int forcing_iterations = 1;
   const double per_area = setup.density * setup.domain.dx / setup.time_step;
   force_.assign(position_.size(), 0.0);
   parts_.lattice.clear_force();
-  for (int iteration = 0; iteration < forcing_iterations; ++iteration) {
+  for (int iteration = 0; iteration < setup.coupling.forcing_iterations; ++iteration) {
     parts_.fluid.sample_velocity(fluid_velocity_);
     for (const CellPopulation::Cell& cell : parts_.cells.cells()) {
       const std::size_t first = 3 * cell.first_vertex;

@@ -63,6 +63,12 @@ CellsRequest read_cells(const text::Table& table, const Scene& scene, const std:
     if (earlier.name == request.name) table.fail("name", "another type is called \"" + request.name + "\" already");
   }
   request.interior_viscosity_ratio = table.quantity(keys::interior_viscosity_ratio);
+  for (const CellsRequest& earlier : scene.requests) {
+    const double ratio = earlier.interior_viscosity_ratio;
+    if (ratio == 1 || request.interior_viscosity_ratio == 1 || ratio == request.interior_viscosity_ratio) continue;
+    table.fail("interior_viscosity_ratio", "\"" + earlier.name + "\" has " + text::format_number(ratio) +
+                                               "; all types for which it is not 1 must have the same");
+  }
   if (&exactly_one_of(table, {&keys::material, &keys::body_folder}) == &keys::body_folder) {
     refuse(table, {&keys::mesh, &keys::level}, "\"body_folder\" is given too; it holds a mesh");
     request.body_folder = path_from(table.text(keys::body_folder), folder);

@@ -280,10 +280,11 @@ inline constexpr Key volume_weight{.name = "volume_weight",
                                    .range = Range::non_negative,
                                    .fallback = optional,
                                    .doc = "With `body_folder`: of its term that keeps the volume. Default: 250 uN/m."};
-inline constexpr Key interior_viscosity_ratio{.name = "interior_viscosity_ratio",
-                                              .range = Range::positive,
-                                              .fallback = "1",
-                                              .doc = "Viscosity of the fluid inside over that outside."};
+inline constexpr Key interior_viscosity_ratio{
+    .name = "interior_viscosity_ratio",
+    .range = Range::positive,
+    .fallback = "1",
+    .doc = "Viscosity of the fluid inside over that outside. All types for which it is not 1 have the same."};
 inline constexpr Key haematocrit{
     .name = "haematocrit",
     .range = Range::fraction,
@@ -345,6 +346,12 @@ inline constexpr Key kernel{.name = "kernel",
                             .range = Range::positive,
                             .fallback = "4",
                             .doc = "Width of the immersed-boundary kernel in nodes: 2, 3 or 4."};
+inline constexpr Key forcing_iterations{
+    .name = "forcing_iterations",
+    .kind = Kind::integer,
+    .range = Range::positive,
+    .fallback = "1",
+    .doc = "With `lineage`: iterations of the force that makes the fluid follow the cells, in every fluid step."};
 inline constexpr Key cell_every{.name = "cell_every",
                                 .kind = Kind::integer,
                                 .range = Range::positive,

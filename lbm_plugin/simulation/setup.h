@@ -63,8 +63,9 @@ struct LineageSettings {
 
 struct CouplingSettings {
   CouplingScheme scheme = CouplingScheme::implicit;
-  int kernel_points = 4;    ///< width of the immersed-boundary kernel in nodes: 2, 3 or 4
-  int steps_per_solve = 1;  ///< fluid steps per step of the cell solver (k)
+  int kernel_points = 4;       ///< width of the immersed-boundary kernel in nodes: 2, 3 or 4
+  int steps_per_solve = 1;     ///< fluid steps per step of the cell solver (k)
+  int forcing_iterations = 1;  ///< `lineage` only: of the force that makes the fluid follow the vertices
   LineageSettings lineage = {};
 };
 

@@ -129,6 +129,14 @@ const BadScene wrong_choices[] = {
      "scene.toml:23:8: cells[1].name: another type is called \"rbc\" already"},
     {"LevelOfAMeshFile", "level = 2", "level = 2\nmesh = \"cell.off\"",
      "scene.toml:19:9: cells[0].level: \"mesh\" is given too; a mesh file has no level"},
+    {"ForcingWithoutTheLineage", "[run]", "[coupling]\nforcing_iterations = 2\n[run]",
+     "scene.toml:23:22: coupling.forcing_iterations: is for scheme \"lineage\" only; leave it out"},
+    {"TwoViscositiesInside", "count = 1",
+     "count = 1\ninterior_viscosity_ratio = 5\n[[cells]]\nname = \"plt\"\nmaterial = \"platelet\"\ncount = "
+     "1\ninterior_viscosity_ratio = 2",
+     "scene.toml:26:28: cells[1].interior_viscosity_ratio: \"rbc\" has 5; all types for which it is not 1 must have "
+     "the "
+     "same"},
     {"NoEnd", "steps = 10", "", "scene.toml:22:1: run: \"steps\" or \"time\" is needed"},
 };
 

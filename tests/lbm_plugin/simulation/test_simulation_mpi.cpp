@@ -99,6 +99,7 @@ TEST(SameBits, WithTheCouplingOfTheLineage) {
     const std::string density = "membrane_density = \"1.5 fg/um2\"\n";
     setup.types = {capsules::capsule("sphere", 2, 2.6, capsules::neo_hookean(0.02) + density),
                    capsules::capsule("icosphere", 1, 1.8, capsules::skalak(0.02, 2) + density)};
+    setup.coupling.forcing_iterations = 2;
     expect_same_as_alone(setup, 60, false);
   }
 }
