@@ -13,7 +13,9 @@
 #include "checkpoint/checkpoint_header.h"
 #include "checkpoint/fluid_section.h"
 #include "contact/minimum_gap.h"
+#include "coupling/cell_population.h"
 #include "coupling/coupling.h"
+#include "coupling/fluid_link.h"
 #include "coupling/stopwatch.h"
 #include "geometry/cell_shape.h"
 #include "geometry/vec3.h"
@@ -50,7 +52,7 @@ struct Simulation::State {
         decomposition(setup.domain.nodes, setup.domain.periodic(), group.size()),
         lattice(group, decomposition, lattice_geometry(setup.domain, units), lattice_options(setup, units)),
         cells(make_cells(setup, group, decomposition, place_cells)) {
-    if (!setup.cells.empty()) link.emplace(setup, units, group, lattice);
+    if (!setup.cells.empty()) link.emplace(setup, units, group, lattice, audit);
   }
 
   void start();
@@ -70,8 +72,8 @@ struct Simulation::State {
   Decomposition decomposition;
   Lattice lattice;
   CellPopulation cells;
-  std::optional<FluidLink> link;  // this and the next: none where there are no cells
   MomentumAudit audit;
+  std::optional<FluidLink> link;  // this and the next: none where there are no cells
   std::unique_ptr<Coupling> coupling;
   std::vector<double> start_volumes;  // um3, by type
   std::vector<CellFailure> failures;
@@ -112,7 +114,7 @@ void Simulation::State::start() {
 }
 
 void Simulation::State::make_coupling() {
-  if (link) coupling = Coupling::create({setup, units, cells, *link, lattice, audit});
+  if (link) coupling = Coupling::create(setup, cells, *link);
   for (const CellType& type : setup.types) start_volumes.push_back(enclosed_volume(type.shape, type.triangles));
 }
 
