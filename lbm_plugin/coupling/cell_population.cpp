@@ -185,11 +185,13 @@ void CellPopulation::unpack_arriving(const Bytes& message) {
   }
 }
 
-void CellPopulation::set_ambient_mass(int type, std::vector<double> masses) {
-  Kind& its = kind(type);
-  its.ambient_mass = std::move(masses);
-  for (int slot = 0; slot < static_cast<int>(its.ids.size()); ++slot) {
-    its.batch.write("ambient_mass", slot, 1, its.ambient_mass);
+void CellPopulation::carry_fluid(const MassOfAreas& mass) {
+  for (std::size_t type = 0; type < kinds_.size(); ++type) {
+    Kind& its = kinds_[type];
+    its.ambient_mass = mass(setup_.types[type].model->get("rest_area"));
+    for (int slot = 0; slot < static_cast<int>(its.ids.size()); ++slot) {
+      its.batch.write("ambient_mass", slot, 1, its.ambient_mass);
+    }
   }
 }
 

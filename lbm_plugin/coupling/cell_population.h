@@ -3,30 +3,14 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "communicator/communicator.h"
 #include "communicator/decomposition.h"
-#include "coupling/vertex_exchange.h"
+#include "coupling/immersed_solid.h"
 #include "simulation/setup.h"
 
 namespace npfem::flow {
-
-/// A cell whose last step failed on this rank. It keeps the state it had before that step.
-struct LocalFailure {
-  int id;
-  int type;
-  std::string reason;
-};
-
-/// What one step of the cell solver did on this rank.
-struct CellStepReport {
-  std::vector<LocalFailure> failures;
-  std::int64_t cell_steps = 0;
-  std::int64_t iterations = 0;
-  double worst_residual = 0;  ///< pN, over the cells that did not fail
-};
 
 /// How the last step of a cell ended.
 struct CellOutcome {
@@ -38,7 +22,7 @@ struct CellOutcome {
 /// The cells one rank owns: those whose centroid (mean of the vertices) lies in its block. One batch of the cell solver
 /// per type; to the rest of the coupling the vertices are flat arrays in order of (global cell id, vertex), whatever
 /// the order in the batches.
-class CellPopulation {
+class CellPopulation final : public ImmersedSolid {
  public:
   struct Cell {
     int id;                    ///< global
@@ -64,7 +48,7 @@ class CellPopulation {
   void migrate();
 
   std::span<const Cell> cells() const { return cells_; }
-  std::span<const VertexId> vertices() const { return vertices_; }
+  std::span<const VertexId> vertices() const override { return vertices_; }
   const api::Batch& batch(int type) const { return kind(type).batch; }
   std::size_t vertices_of(int type) const { return kind(type).vertices; }
 
@@ -78,22 +62,16 @@ class CellPopulation {
     return kind(cell.type).outcomes[static_cast<std::size_t>(cell.slot)];
   }
 
-  /// The mass of fluid (fg) that moves with each vertex of that type, for all its cells, now and later.
-  void set_ambient_mass(int type, std::vector<double> masses);
+  /// Any field of the cell solver (see npfem_batch_set): to be read, one of three numbers per own vertex; to be
+  /// written, of as many as are given.
+  void read(const char* field, std::vector<double>& values) const override;
+  void write(const char* field, std::span<const double> values) override;
 
-  /// A field of the cell solver (see npfem_batch_set): to be read, one of three numbers per own vertex; to be written,
-  /// of as many as are given.
-  void read(const char* field, std::vector<double>& values) const;
-  void write(const char* field, std::span<const double> values);
-
-  /// Elastic forces at the present positions.
-  void evaluate();
-  /// One step of the cell solver for every cell.
-  CellStepReport step();
-
-  /// Sum of solid mass times velocity, fg um/us; 0 where no type has mass of its own.
-  Vec3 solid_momentum() const;
-  bool has_solid_mass() const { return has_solid_mass_; }
+  void carry_fluid(const MassOfAreas& mass) override;
+  void evaluate() override;
+  CellStepReport step() override;
+  Vec3 solid_momentum() const override;
+  bool has_solid_mass() const override { return has_solid_mass_; }
 
   /// Hash of the states of the own cells keyed by global id; summed over the ranks modulo 2^64 it knows no layout.
   std::uint64_t state_hash() const;

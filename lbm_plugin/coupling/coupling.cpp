@@ -1,46 +1,45 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "coupling/coupling.h"
 
-#include <cmath>
+#include <stdexcept>
+#include <utility>
 
 #include "coupling/implicit_coupling.h"
-#include "coupling/lineage_coupling.h"
 #include "coupling/peskin_coupling.h"
-#include "geometry/vec3.h"
 
 namespace npfem::flow {
 
-std::unique_ptr<Coupling> Coupling::create(const CoupledParts& parts) {
-  if (parts.setup.coupling.scheme == CouplingScheme::peskin) return std::make_unique<PeskinCoupling>(parts);
-  if (parts.setup.coupling.scheme == CouplingScheme::lineage) return std::make_unique<LineageCoupling>(parts);
-  return std::make_unique<ImplicitCoupling>(parts);
+std::unique_ptr<Coupling> Coupling::create(const Setup& setup, ImmersedSolid& solid, Fluid& fluid) {
+  if (setup.coupling.scheme == CouplingScheme::peskin) return std::make_unique<PeskinCoupling>(setup, solid, fluid);
+  if (setup.coupling.scheme == CouplingScheme::lineage) {
+    throw std::logic_error(
+        "the coupling of the lineage needs more of the fluid than the interface has: LineageCoupling");
+  }
+  return std::make_unique<ImplicitCoupling>(setup, solid, fluid);
 }
 
-Coupling::Coupling(const CoupledParts& parts)
-    : parts_(parts), delta_(parts.setup.coupling.steps_per_solve * parts.setup.time_step) {}
+Coupling::Coupling(const Setup& setup, ImmersedSolid& solid, Fluid& fluid)
+    : setup_(setup), solid_(solid), fluid_(fluid), delta_(setup.coupling.steps_per_solve * setup.time_step) {}
+
+CellStepReport Coupling::advance() {
+  CellStepReport report = load_fluid();
+  for (int k = 0; k < setup_.coupling.steps_per_solve; ++k) {
+    if (k > 0) renew_load(k);
+    fluid_.step();
+  }
+  CellStepReport followed = follow_fluid();
+  return report.cell_steps > 0 ? std::move(report) : std::move(followed);
+}
 
 void Coupling::hold_present_forces() {
-  parts_.fluid.locate(parts_.cells, 0);
-  parts_.fluid.sample_contact(contact_);
-  parts_.cells.evaluate();
-  parts_.cells.read("elastic_force", force_);
+  fluid_.locate(solid_, 0);
+  contact_.assign(3 * solid_.vertices().size(), 0.0);
+  fluid_.sample_contact(contact_);
+  solid_.evaluate();
+  solid_.read("elastic_force", force_);
   for (std::size_t i = 0; i < force_.size(); ++i) force_[i] += contact_[i];
-  parts_.cells.write("held_force", force_);
-  apply_forces({});
-}
-
-void Coupling::apply_forces(const Vec3& outside) {
-  parts_.fluid.apply(force_);
-  book_forces(outside);
-}
-
-void Coupling::book_forces(const Vec3& outside) {
-  double magnitude = 0;
-  for (std::size_t v = 0; v < force_.size() / 3; ++v) {
-    magnitude += norm({force_[3 * v], force_[3 * v + 1], force_[3 * v + 2]});
-  }
-  const double unit = parts_.units.force();
-  parts_.audit.hold(parts_.lattice, add(parts_.fluid.external_force(), scale(1.0 / unit, outside)), magnitude / unit);
+  solid_.write("held_force", force_);
+  fluid_.hold(force_, {});
 }
 
 }  // namespace npfem::flow

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "coupling/ambient_mass.h"
 #include "coupling/crowding.h"
 #include "coupling/stopwatch.h"
 #include "geometry/vec3.h"
@@ -13,18 +14,19 @@ namespace npfem::flow {
 
 namespace {
 
-double longest_edge(const CellPopulation& cells, std::span<const CellType> types, std::span<const double> xyz) {
+double longest_edge(const Setup& setup, std::span<const VertexId> vertices, std::span<const double> xyz) {
   double square = 0;
-  for (const CellPopulation::Cell& cell : cells.cells()) {
-    const double* const x = xyz.data() + 3 * cell.first_vertex;
-    const std::vector<std::int32_t>& triangles = types[static_cast<std::size_t>(cell.type)].triangles;
+  for_each_body(vertices, [&](int id, std::size_t first, std::size_t /*count*/) {
+    const double* const x = xyz.data() + 3 * first;
+    const auto type = static_cast<std::size_t>(setup.cells[static_cast<std::size_t>(id)].type);
+    const std::vector<std::int32_t>& triangles = setup.types[type].triangles;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       const double* const a = x + 3 * triangles[i];
       const double* const b = x + 3 * triangles[i % 3 == 2 ? i - 2 : i + 1];
       const Vec3 edge{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
       square = std::max(square, dot(edge, edge));
     }
-  }
+  });
   return std::sqrt(square);
 }
 
@@ -39,39 +41,44 @@ double fastest(std::span<const double> velocities) {
 
 }  // namespace
 
-FluidLink::FluidLink(const Setup& setup, const Units& units, Communicator& communicator, Lattice& lattice)
+FluidLink::FluidLink(const Setup& setup, const Units& units, Communicator& communicator, Lattice& lattice,
+                     MomentumAudit& audit)
     : units_(units),
       lattice_(lattice),
       exchange_(communicator, lattice.decomposition(), units.dx),
       boundary_(setup.coupling.kernel_points, lattice),
       contacts_(setup),
-      domain_(setup.domain),
-      types_(setup.types),
+      setup_(setup),
       has_walls_(setup.domain.has_walls()),
-      communicator_(communicator) {}
+      communicator_(communicator),
+      audit_(audit) {}
 
-void FluidLink::locate(const CellPopulation& cells, double delta) {
-  const Stopwatch watch(seconds_.exchange);
-  cells.read("position", positions_);
-  cells.read("velocity", velocities_);
-  expected_.resize(positions_.size());
-  for (std::size_t i = 0; i < positions_.size(); ++i) expected_[i] = positions_[i] + delta * velocities_[i];
-  own_vertices_ = cells.vertices().size();
-  exchange_.share_positions(cells.vertices(), positions_, expected_, contact_reach(cells, delta));
+std::vector<double> FluidLink::ambient_masses(std::span<const double> rest_areas, double delta) const {
+  return flow::ambient_masses(rest_areas, setup_.coupling.kernel_points, units_, setup_.kinematic_viscosity, delta);
 }
 
-void FluidLink::locate_at(const CellPopulation& cells, std::span<const double> positions) {
+void FluidLink::locate(const ImmersedSolid& solid, double delta) {
   const Stopwatch watch(seconds_.exchange);
-  own_vertices_ = cells.vertices().size();
-  exchange_.share_positions(cells.vertices(), positions, positions, 0);
+  solid.read("position", positions_);
+  solid.read("velocity", velocities_);
+  expected_.resize(positions_.size());
+  for (std::size_t i = 0; i < positions_.size(); ++i) expected_[i] = positions_[i] + delta * velocities_[i];
+  own_vertices_ = solid.vertices().size();
+  exchange_.share_positions(solid.vertices(), positions_, expected_, contact_reach(solid, delta));
+}
+
+void FluidLink::locate_at(const ImmersedSolid& solid, std::span<const double> positions) {
+  const Stopwatch watch(seconds_.exchange);
+  own_vertices_ = solid.vertices().size();
+  exchange_.share_positions(solid.vertices(), positions, positions, 0);
 }
 
 /// Nodes from a held vertex to the farthest corner of a triangle that it may touch: their greatest distance when the
 /// contacts act, and what both have moved until then. The longest edge and the greatest speed of the whole system are
 /// exact on every rank, so no stretched triangle is overlooked.
-int FluidLink::contact_reach(const CellPopulation& cells, double delta) {
+int FluidLink::contact_reach(const ImmersedSolid& solid, double delta) {
   if (!(contacts_.reach() > 0) || communicator_.size() == 1) return 0;
-  std::array<double, 2> largest{longest_edge(cells, types_, expected_), fastest(velocities_)};
+  std::array<double, 2> largest{longest_edge(setup_, solid.vertices(), expected_), fastest(velocities_)};
   communicator_.maximum(largest);
   const double nodes = (contacts_.reach() + largest[0] + 2 * delta * largest[1]) / units_.dx;
   const Index3& all = lattice_.decomposition().nodes();
@@ -96,20 +103,17 @@ void FluidLink::find_contacts() {
   own_.resize(own_vertices_);
 }
 
-void FluidLink::take_forces(std::vector<double>& contact) const {
-  contact.resize(3 * own_vertices_);
+void FluidLink::take_forces(std::span<double> contact) const {
   for (std::size_t i = 0; i < contact.size(); ++i) contact[i] = force_of(own_[i / 3].force[i % 3]);
 }
 
-void FluidLink::sample_velocity(std::vector<double>& velocity) {
+void FluidLink::sample_velocity(std::span<double> velocity) {
   interpolate();
   const Stopwatch watch(seconds_.exchange);
-  velocity.resize(3 * own_vertices_);
   exchange_.return_to_owners(held_velocity_, 3, velocity);
 }
 
-void FluidLink::sample_contact(std::vector<double>& contact) {
-  contact.assign(3 * own_vertices_, 0.0);
+void FluidLink::sample_contact(std::span<double> contact) {
   if (!contacts_.active()) return;
   find_contacts();
   const Stopwatch watch(seconds_.exchange);
@@ -117,28 +121,30 @@ void FluidLink::sample_contact(std::vector<double>& contact) {
   take_forces(contact);
 }
 
-void FluidLink::sample_crowding(std::vector<double>& crowded) {
+void FluidLink::sample_crowding(std::span<double> crowded) {
   const Stopwatch watch(seconds_.contacts);
-  crowded.resize(own_vertices_);
-  exchange_.return_to_owners(crowded_vertices(exchange_.known(), lattice_.decomposition(), domain_), 1, crowded);
+  exchange_.return_to_owners(crowded_vertices(exchange_.known(), lattice_.decomposition(), setup_.domain), 1, crowded);
 }
 
-void FluidLink::sample(std::vector<double>& velocity, std::vector<double>& contact, std::vector<double>& stiffness) {
-  stiffness.assign(own_vertices_, 0.0);
-  if (!contacts_.active()) {
-    contact.assign(3 * own_vertices_, 0.0);
-    return sample_velocity(velocity);
-  }
+void FluidLink::sample(std::span<double> velocity, std::span<double> contact, std::span<double> stiffness) {
+  if (!contacts_.active()) return sample_velocity(velocity);
   interpolate();
   find_contacts();
   const Stopwatch watch(seconds_.exchange);
-  velocity.resize(3 * own_vertices_);
   exchange_.return_to_owners(held_velocity_, 3, velocity, found_, own_);
   take_forces(contact);
   for (std::size_t v = 0; v < own_vertices_; ++v) stiffness[v] = stiffness_of(own_[v].stiffness);
 }
 
-void FluidLink::apply(std::span<const double> forces) {
+void FluidLink::hold(std::span<const double> forces, const Vec3& outside) {
+  spread(forces);
+  double magnitude = 0;
+  for (std::size_t i = 0; i < forces.size(); i += 3) magnitude += norm({forces[i], forces[i + 1], forces[i + 2]});
+  const double unit = units_.force();
+  audit_.hold(lattice_, add(external_force(), scale(1.0 / unit, outside)), magnitude / unit);
+}
+
+void FluidLink::spread(std::span<const double> forces) {
   {
     const Stopwatch watch(seconds_.exchange);
     exchange_.share_forces(forces, known_force_);
@@ -151,6 +157,13 @@ void FluidLink::apply(std::span<const double> forces) {
   if (has_walls_) force_on_walls_ = boundary_.force_on_walls(known.in_nodes, known.held, known_force_);
 }
 
+void FluidLink::step() {
+  lattice_.step();
+  audit_.count_step(lattice_);
+}
+
+/// This rank's share of what came from outside the suspension with the last sample and hold: contact with walls less
+/// the force spread on solid nodes. Lattice units.
 Vec3 FluidLink::external_force() const {
   return subtract(scale(1.0 / units_.force(), contacts_.force_of_walls()), force_on_walls_);
 }

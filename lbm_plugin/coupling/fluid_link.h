@@ -6,7 +6,8 @@
 
 #include "communicator/communicator.h"
 #include "contact/contacts.h"
-#include "coupling/cell_population.h"
+#include "coupling/fluid.h"
+#include "coupling/momentum_audit.h"
 #include "coupling/vertex_exchange.h"
 #include "immersed_boundary/immersed_boundary.h"
 #include "lattice/lattice.h"
@@ -15,37 +16,28 @@
 
 namespace npfem::flow {
 
-/// What the vertices of the cells and the nodes of the fluid have to say to each other, across all ranks. Vertex data
-/// are those of the own cells, xyz per vertex in the order of CellPopulation::vertices(), in um, us, pN. All calls are
-/// collective.
-class FluidLink {
+/// The lattice as the fluid of a coupling, across all ranks: what the vertices of the solid and the nodes of the fluid
+/// have to say to each other, and the contacts of the vertices. Where contacts act, the bodies are the cells of the
+/// setup.
+class FluidLink final : public Fluid {
  public:
-  FluidLink(const Setup& setup, const Units& units, Communicator& communicator, Lattice& lattice);
+  /// All outlive the link. `audit` books the forces and steps of the lattice.
+  FluidLink(const Setup& setup, const Units& units, Communicator& communicator, Lattice& lattice, MomentumAudit& audit);
 
-  /// Finds the nodes around the vertices at their present positions. The calls below use these positions until the next
-  /// locate(), wherever the vertices move meanwhile: velocity and force meet at the same place. Contacts act where the
-  /// vertices would be after `delta` (us) at their present velocities.
-  void locate(const CellPopulation& cells, double delta);
+  std::vector<double> ambient_masses(std::span<const double> rest_areas, double delta) const override;
+  void locate(const ImmersedSolid& solid, double delta) override;
+  void sample_velocity(std::span<double> velocity) override;
+  void sample_contact(std::span<double> contact) override;
+  /// In one message per pair of ranks.
+  void sample(std::span<double> velocity, std::span<double> contact, std::span<double> stiffness) override;
+  /// The lattice holds the body force beside these.
+  void hold(std::span<const double> forces, const Vec3& outside) override;
+  void step() override;
 
-  /// The same at other positions of the vertices (um), contacts left out.
-  void locate_at(const CellPopulation& cells, std::span<const double> positions);
-
-  /// Velocity of the fluid at the vertices, with half of the force held by the lattice.
-  void sample_velocity(std::vector<double>& velocity);
-  /// Forces of contacts between cells and with walls.
-  void sample_contact(std::vector<double>& contact);
+  /// What only the lineage's coupling asks. Other positions of the vertices (um), contacts left out:
+  void locate_at(const ImmersedSolid& solid, std::span<const double> positions);
   /// One number per vertex, 1 where another cell or a wall is within one node (crowding.h), else 0.
-  void sample_crowding(std::vector<double>& crowded);
-  /// Velocities and contacts in one message per pair of ranks, and the stiffness of the contacts, one number per
-  /// vertex, pN/um.
-  void sample(std::vector<double>& velocity, std::vector<double>& contact, std::vector<double>& stiffness);
-
-  /// Makes the lattice hold the body force and these forces from now on.
-  void apply(std::span<const double> forces);
-
-  /// This rank's share of what came from outside the suspension with the last sample and apply: contact with walls less
-  /// the force spread on solid nodes. Lattice units.
-  Vec3 external_force() const;
+  void sample_crowding(std::span<double> crowded);
 
   /// What this rank has spent here.
   struct Seconds {
@@ -60,20 +52,22 @@ class FluidLink {
 
  private:
   std::size_t held_count() const { return exchange_.known().held.size(); }
-  int contact_reach(const CellPopulation& cells, double delta);
+  int contact_reach(const ImmersedSolid& solid, double delta);
   void interpolate();
   void find_contacts();
-  void take_forces(std::vector<double>& contact) const;
+  void take_forces(std::span<double> contact) const;
+  void spread(std::span<const double> forces);
+  Vec3 external_force() const;
 
   Units units_;
   Lattice& lattice_;
   VertexExchange exchange_;
   ImmersedBoundary boundary_;
   Contacts contacts_;
-  const Domain& domain_;
-  const std::vector<CellType>& types_;
+  const Setup& setup_;
   bool has_walls_;
   Communicator& communicator_;
+  MomentumAudit& audit_;
 
   std::vector<double> positions_, velocities_, expected_;  // own vertices, um, um/us
   std::vector<double> held_velocity_;                      // held vertices, um/us

@@ -17,7 +17,7 @@ namespace npfem::flow {
 /// the compliance of those springs, kappa = delta^2 G / (rho ell a^2): see limits.h.
 class ImplicitCoupling final : public Coupling {
  public:
-  explicit ImplicitCoupling(const CoupledParts& parts);
+  ImplicitCoupling(const Setup& setup, ImmersedSolid& solid, Fluid& fluid);
   CellStepReport load_fluid() override;
 
  private:

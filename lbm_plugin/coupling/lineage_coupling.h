@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include "coupling/cell_population.h"
 #include "coupling/coupling.h"
+#include "coupling/fluid_link.h"
 #include "coupling/outer_traction.h"
 
 namespace npfem::flow {
@@ -20,7 +22,7 @@ namespace npfem::flow {
 class LineageCoupling final : public Coupling {
  public:
   /// std::invalid_argument where a type of cell has a vertex without mass of its own.
-  explicit LineageCoupling(const CoupledParts& parts);
+  LineageCoupling(const Setup& setup, CellPopulation& cells, FluidLink& fluid, OuterTraction traction);
   /// The fluid learns of the cells in the first step.
   void hold_present_forces() override {}
   CellStepReport load_fluid() override;
@@ -29,7 +31,10 @@ class LineageCoupling final : public Coupling {
  private:
   void force_fluid();
 
+  CellPopulation& cells_;
+  FluidLink& lattice_;
   OuterTraction traction_;
+  Vec3 outside_{};  // what the cells' own mass has given up, pN
   std::vector<double> crowded_, external_, fluid_velocity_;  // own vertices
 };
 

@@ -12,12 +12,12 @@ namespace npfem::flow {
 /// A vertex has no mass of its own here; a model with solid mass is refused (std::invalid_argument).
 class PeskinCoupling final : public Coupling {
  public:
-  explicit PeskinCoupling(const CoupledParts& parts);
+  PeskinCoupling(const Setup& setup, ImmersedSolid& solid, Fluid& fluid);
   CellStepReport load_fluid() override;
   CellStepReport follow_fluid() override;
 
  private:
-  bool follow(const CellPopulation::Cell& cell);
+  bool follow(std::size_t first, std::size_t count);
 };
 
 }  // namespace npfem::flow

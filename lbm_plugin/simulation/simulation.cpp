@@ -15,8 +15,11 @@
 #include "checkpoint/fluid_section.h"
 #include "contact/minimum_gap.h"
 #include "contact/surface_crossing.h"
+#include "coupling/cell_population.h"
 #include "coupling/coupling.h"
+#include "coupling/fluid_link.h"
 #include "coupling/interior.h"
+#include "coupling/lineage_coupling.h"
 #include "coupling/stopwatch.h"
 #include "geometry/cell_shape.h"
 #include "geometry/vec3.h"
@@ -53,7 +56,7 @@ struct Simulation::State {
         decomposition(setup.domain.nodes, setup.domain.periodic(), group.size()),
         lattice(group, decomposition, lattice_geometry(setup.domain, units), lattice_options(setup, units)),
         cells(make_cells(setup, group, decomposition, place_cells)) {
-    if (!setup.cells.empty()) link.emplace(setup, units, group, lattice);
+    if (!setup.cells.empty()) link.emplace(setup, units, group, lattice, audit);
     if (has_viscosity_contrast(setup)) interior.emplace(setup, group, lattice);
   }
 
@@ -76,9 +79,9 @@ struct Simulation::State {
   Decomposition decomposition;
   Lattice lattice;
   CellPopulation cells;
-  std::optional<FluidLink> link;     // none where there are no cells
   std::optional<Interior> interior;  // none where no cell has a viscosity of its own
   MomentumAudit audit;
+  std::optional<FluidLink> link;  // this and the next: none where there are no cells
   std::unique_ptr<Coupling> coupling;
   std::vector<double> start_volumes;  // um3, by type
   std::vector<CellFailure> failures;
@@ -120,7 +123,12 @@ void Simulation::State::start() {
 }
 
 void Simulation::State::make_coupling() {
-  if (link) coupling = Coupling::create({setup, units, cells, *link, lattice, audit, communicator});
+  if (link && setup.coupling.scheme == CouplingScheme::lineage) {
+    coupling =
+        std::make_unique<LineageCoupling>(setup, cells, *link, OuterTraction(setup, units, communicator, lattice));
+  } else if (link) {
+    coupling = Coupling::create(setup, cells, *link);
+  }
   for (const CellType& type : setup.types) start_volumes.push_back(enclosed_volume(type.shape, type.triangles));
 }
 

@@ -30,9 +30,8 @@ class CellPopulationTest : public testing::Test {
       : setup(setup_with_cells()),
         split(setup.domain.nodes, setup.domain.periodic(), world().size()),
         cells(setup, world(), split, 1.0) {
-    for (int type : {0, 1}) {
-      cells.set_ambient_mass(type, std::vector<double>(cells.vertices_of(type), 1.5 + type));
-    }
+    double mass = 1.5;  // one for each type
+    cells.carry_fluid([&](std::span<const double> areas) { return std::vector<double>(areas.size(), mass++); });
   }
 
   std::int64_t total(std::int64_t mine) const {
