@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numbers>
 
 #include "contact/closed_surface.h"
 #include "geometry/bounds.h"
@@ -74,6 +75,21 @@ struct Target {
   std::span<const BoundedTriangle> triangles;
 };
 
+/// Whether the surface winds round the point, by the sum of the solid angles of its triangles (van Oosterom & Strackee,
+/// IEEE Trans. Biomed. Eng. 30 (1983) 125): right also for a crumpled surface, on which the side of the nearest
+/// triangle may mislead.
+bool winds_round(const Vec3& point, std::span<const BoundedTriangle> triangles) {
+  double angle = 0;
+  for (const BoundedTriangle& triangle : triangles) {
+    const Vec3 a = subtract(triangle.corner[0], point);
+    const Vec3 b = subtract(triangle.corner[1], point);
+    const Vec3 c = subtract(triangle.corner[2], point);
+    const double la = norm(a), lb = norm(b), lc = norm(c);
+    angle += 2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la);
+  }
+  return angle > 2 * std::numbers::pi;
+}
+
 /// Signed distance from the point to the surface; `best` where it is not nearer than that.
 double signed_distance(const Vec3& point, const Target& target, double best) {
   // A point within the bounds may be inside, and then its distance counts however far from the surface it is.
@@ -97,7 +113,9 @@ double signed_distance(const Vec3& point, const Target& target, double best) {
   if (its_triangle == target.triangles.size()) return best;
   const Vec3 outward = target.surface.outward(its_triangle, its_weight,
                                               [&](auto v) { return vertex(target.cell, static_cast<std::size_t>(v)); });
-  return dot(its_apart, outward) < 0 ? -nearest : std::min(nearest, best);
+  const bool behind = dot(its_apart, outward) < 0;
+  const bool inside = behind && contains(target.bounds, point, 0) && winds_round(point, target.triangles);
+  return inside ? -nearest : std::min(nearest, best);
 }
 
 /// From the vertices of `cell`, moved by -shift, to the surface; `best` where none is nearer.

@@ -51,10 +51,10 @@ void read_coupling(const Table& table, Setup& setup) {
                                                : CouplingScheme::lineage;
   setup.coupling.kernel_points = within(table, keys::kernel, 2, 4);
   setup.coupling.steps_per_solve = within(table, keys::cell_every, 1, 1000);
-  if (table.has(keys::forcing_iterations) && setup.coupling.scheme != CouplingScheme::lineage) {
+  setup.coupling.forcing_iterations = within(table, keys::forcing_iterations, 1, 100);
+  if (setup.coupling.forcing_iterations != 1 && setup.coupling.scheme != CouplingScheme::lineage) {
     table.fail("forcing_iterations", "is for scheme \"lineage\" only; leave it out");
   }
-  setup.coupling.forcing_iterations = within(table, keys::forcing_iterations, 1, 100);
 }
 
 std::vector<std::pair<std::string, double>> read_solver(const Table& table) {
