@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
-// The grid of fluid nodes cut into one block per rank: px x py x pz blocks of nearly equal size, with the smallest
-// surface between them. The same on every rank, and the same every time.
+// The grid of fluid nodes cut into one block per rank: px x py x pz blocks with the smallest surface between them if
+// they were of equal size. Each axis is cut where its blocks are of nearly equal weight. The same on every rank, and
+// the same every time.
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace npfem::flow {
 
@@ -23,13 +25,17 @@ struct Box {
   }
 };
 
+// By axis and node along it: the work in the plane of nodes normal to the axis there, in any unit. An empty axis is cut
+// into equal lengths.
+using PlaneWeights = std::array<std::vector<std::int64_t>, 3>;
+
 class Decomposition {
  public:
   // A block that has a neighbour other than itself must hold the two layers of nodes that the neighbour copies.
   static constexpr int kSmallestBlock = 2;
 
   // std::invalid_argument where the ranks do not fit into the grid.
-  Decomposition(const Index3& nodes, const std::array<bool, 3>& periodic, int ranks);
+  Decomposition(const Index3& nodes, const std::array<bool, 3>& periodic, int ranks, const PlaneWeights& weights = {});
 
   const Index3& nodes() const { return nodes_; }
   bool periodic(int axis) const { return periodic_[std::size_t(axis)]; }
@@ -54,21 +60,15 @@ class Decomposition {
   }
 
  private:
-  // Block b of p on an axis of n nodes begins at floor(b n / p); block_of is the inverse.
-  int block_begin(int axis, int block) const {
-    const auto a = std::size_t(axis);
-    return int(std::int64_t{block} * nodes_[a] / blocks_[a]);
-  }
-  int block_of(int axis, int i) const {
-    const auto a = std::size_t(axis);
-    return int(((std::int64_t{i} + 1) * blocks_[a] - 1) / nodes_[a]);
-  }
+  int block_of(std::size_t axis, int i) const { return block_of_[axis][std::size_t(i)]; }
   int rank_of(const Index3& block) const { return block[0] + blocks_[0] * (block[1] + blocks_[1] * block[2]); }
   Index3 block_at(int rank) const;
 
   Index3 nodes_;
   std::array<bool, 3> periodic_;
   Index3 blocks_;
+  std::array<std::vector<int>, 3> begin_;     // by axis and block, and the end of the last
+  std::array<std::vector<int>, 3> block_of_;  // by axis and node
 };
 
 }  // namespace npfem::flow

@@ -27,7 +27,15 @@ void append(Bytes& bytes, std::span<const T> values) {
   bytes.insert(bytes.end(), raw.begin(), raw.end());
 }
 
-/// xyz of every vertex of the cell, um.
+void require_shape(const CellType& type) {
+  const auto numbers = 3 * static_cast<std::size_t>(type.model->vertices());
+  if (type.shape.size() == numbers) return;
+  throw std::invalid_argument("cells \"" + type.name + "\": the shape has " + std::to_string(type.shape.size()) +
+                              " coordinates, its model needs " + std::to_string(numbers));
+}
+
+}  // namespace
+
 std::vector<double> start_positions(const CellStart& start, const CellType& type) {
   if (!start.positions.empty()) return start.positions;
   std::vector<double> positions = type.shape;
@@ -38,15 +46,6 @@ std::vector<double> start_positions(const CellStart& start, const CellType& type
   }
   return positions;
 }
-
-void require_shape(const CellType& type) {
-  const auto numbers = 3 * static_cast<std::size_t>(type.model->vertices());
-  if (type.shape.size() == numbers) return;
-  throw std::invalid_argument("cells \"" + type.name + "\": the shape has " + std::to_string(type.shape.size()) +
-                              " coordinates, its model needs " + std::to_string(numbers));
-}
-
-}  // namespace
 
 CellPopulation::CellPopulation(const Setup& setup, Communicator& communicator, const Decomposition& decomposition,
                                double delta, Begin begin)

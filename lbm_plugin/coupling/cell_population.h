@@ -19,6 +19,9 @@ struct CellOutcome {
   double residual = 0;  ///< pN
 };
 
+/// xyz of every vertex of a cell where it starts, um.
+std::vector<double> start_positions(const CellStart& start, const CellType& type);
+
 /// The cells one rank owns: those whose centroid (mean of the vertices) lies in its block. One batch of the cell solver
 /// per type; to the rest of the coupling the vertices are flat arrays in order of (global cell id, vertex), whatever
 /// the order in the batches.

@@ -24,6 +24,7 @@
 #include "geometry/cell_shape.h"
 #include "geometry/vec3.h"
 #include "simulation/agreed_backend.h"
+#include "simulation/balance.h"
 #include "simulation/start.h"
 
 namespace npfem::flow {
@@ -33,6 +34,13 @@ Setup checked(Setup setup, Communicator& communicator) {
   require_sound(setup);
   setup.backend = agreed_backend(communicator, setup.backend);
   return setup;
+}
+
+/// One rank has it all and need not know where the work is.
+Decomposition decomposed(const Setup& setup, Communicator& communicator) {
+  const int ranks = communicator.size();
+  const PlaneWeights weights = ranks > 1 ? plane_weights(setup, communicator) : PlaneWeights{};
+  return {setup.domain.nodes, setup.domain.periodic(), ranks, weights};
 }
 
 CellPopulation make_cells(const Setup& setup, Communicator& communicator, const Decomposition& decomposition,
@@ -53,7 +61,7 @@ struct Simulation::State {
       : setup(checked(given, group)),
         communicator(group),
         units(units_of(setup)),
-        decomposition(setup.domain.nodes, setup.domain.periodic(), group.size()),
+        decomposition(decomposed(setup, group)),
         lattice(group, decomposition, lattice_geometry(setup.domain, units), lattice_options(setup, units)),
         cells(make_cells(setup, group, decomposition, place_cells)) {
     if (!setup.cells.empty()) link.emplace(setup, units, group, lattice, audit);

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iostream>
 #include <stdexcept>
 #include <string>
 
@@ -58,6 +63,73 @@ TEST(Decomposition, CutsWhereTheSurfaceIsSmallest) {
   EXPECT_EQ(Decomposition({100, 20, 20}, {true, false, false}, 4).blocks(), (Index3{4, 1, 1}));
   EXPECT_EQ(Decomposition({40, 40, 40}, {false, false, false}, 8).blocks(), (Index3{2, 2, 2}));
   EXPECT_EQ(Decomposition({40, 40, 40}, {true, true, true}, 2).blocks(), (Index3{1, 1, 2}));
+}
+
+std::int64_t largest(const Decomposition& split, const std::function<int(int, int, int)>& weight) {
+  std::int64_t most = 0;
+  for (int rank = 0; rank < split.ranks(); ++rank) {
+    const Box box = split.box(rank);
+    std::int64_t sum = 0;
+    for (int iz = box.begin[2]; iz < box.end[2]; ++iz) {
+      for (int iy = box.begin[1]; iy < box.end[1]; ++iy) {
+        for (int ix = box.begin[0]; ix < box.end[0]; ++ix) sum += weight(ix, iy, iz);
+      }
+    }
+    most = std::max(most, sum);
+  }
+  return most;
+}
+
+// Fluid in the lower part of a box, and in a vessel that widens along z.
+TEST(Decomposition, CutsByWeight) {
+  const Index3 nodes{24, 40, 40};
+  const std::array<std::function<int(int, int, int)>, 2> fluids{
+      [](int, int iy, int) { return iy < 17 ? 1 : 0; },
+      [](int ix, int iy, int iz) {
+        return 4 * (std::pow(ix - 11.5, 2) + std::pow(iy - 19.5, 2)) < std::pow(4 + iz / 2, 2);
+      }};
+  for (const auto& fluid : fluids) {
+    PlaneWeights weights;
+    for (std::size_t axis = 0; axis < 3; ++axis) weights[axis].resize(static_cast<std::size_t>(nodes[axis]));
+    std::int64_t whole = 0;
+    for (int iz = 0; iz < nodes[2]; ++iz) {
+      for (int iy = 0; iy < nodes[1]; ++iy) {
+        for (int ix = 0; ix < nodes[0]; ++ix) {
+          const int here = fluid(ix, iy, iz);
+          weights[0][static_cast<std::size_t>(ix)] += here;
+          weights[1][static_cast<std::size_t>(iy)] += here;
+          weights[2][static_cast<std::size_t>(iz)] += here;
+          whole += here;
+        }
+      }
+    }
+    const double mean = static_cast<double>(whole) / 4;
+    const auto equal = static_cast<double>(largest({nodes, {true, false, false}, 4}, fluid));
+    const auto weighed = static_cast<double>(largest({nodes, {true, false, false}, 4, weights}, fluid));
+    std::cout << "largest block over the mean: " << equal / mean << " in equal blocks, " << weighed / mean
+              << " by weight\n";
+    EXPECT_GT(equal / mean, 1.3);
+    EXPECT_LT(weighed / mean, 1.1);
+  }
+}
+
+TEST_P(AnyRankCount, KeepsTheSmallestBlockWhateverTheWeights) {
+  const Index3 nodes{37, 19, 23};
+  PlaneWeights weights;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    weights[axis].assign(static_cast<std::size_t>(nodes[axis]), 0);
+    weights[axis][axis == 1 ? 0 : static_cast<std::size_t>(nodes[axis]) - 1] = 1000;  // all in one plane
+  }
+  const Decomposition split(nodes, {true, false, true}, GetParam(), weights);
+  std::int64_t total = 0;
+  for (int rank = 0; rank < split.ranks(); ++rank) {
+    const Box box = split.box(rank);
+    total += box.nodes();
+    for (int axis = 0; axis < 3; ++axis) EXPECT_GE(box.size(axis), Decomposition::kSmallestBlock);
+    EXPECT_EQ(split.owner_of(box.begin[0], box.begin[1], box.begin[2]), rank);
+    EXPECT_EQ(split.owner_of(box.end[0] - 1, box.end[1] - 1, box.end[2] - 1), rank);
+  }
+  EXPECT_EQ(total, 37 * 19 * 23);
 }
 
 TEST(Decomposition, WrapsPeriodicAxesOnly) {
