@@ -143,8 +143,10 @@ void NodeMap::add_fluid_row(int iy, int iz, const Cuts& cut) {
 }
 
 void NodeMap::SortedStrips::mark_rows(const std::vector<std::size_t>& first_of_rows) {
+  const std::size_t count = strips.size();
+  if (count > 0) strips.insert(strips.end(), kStripsAhead, strips.back());
   for (std::size_t r = 0; r < first_of_rows.size(); ++r) {
-    const std::size_t end = r + 1 < first_of_rows.size() ? first_of_rows[r + 1] : strips.size();
+    const std::size_t end = r + 1 < first_of_rows.size() ? first_of_rows[r + 1] : count;
     if (end > first_of_rows[r]) rows.emplace_back(strips.data() + first_of_rows[r], end - first_of_rows[r]);
   }
 }

@@ -65,6 +65,8 @@ class NodeMap {
   const std::int32_t* row(int iy, int iz) const { return strips_.data() + row_of(iy, iz); }
   std::size_t strips_per_row() const { return row_length_; }
 
+  // Behind each strip of a row lie at least so many others, of the rows visited next: so far the solver looks ahead.
+  static constexpr int kStripsAhead = 2;
   // The strips with nodes next to another rank's, and the rest, in rows along x. Rows follow each other along y over a
   // few rows, then along z, then further along y, so that the planes between which populations pass stay in the cache.
   using Row = std::span<const FluidStrip>;

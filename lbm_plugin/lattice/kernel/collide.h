@@ -210,7 +210,7 @@ NPFEM_INLINE void collide_strips(const FluidFields<Real>& fields, std::span<cons
   const Rates<Real> second = rates_of<Real>(fields.rates[1]);
   const FluidStrip* const end = strips.data() + strips.size();
   for (const FluidStrip* s = strips.data(); s != end; ++s) {
-    prefetch(fields, places, s, end);
+    prefetch(fields, places, s);
     const bool whole = s->fluid == 0xff;
     if constexpr (two_fluids) {
       const std::uint8_t inside = fields.inside[s->strip];

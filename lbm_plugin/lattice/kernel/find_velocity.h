@@ -32,7 +32,7 @@ void find_velocity(const FluidFields<Real>& fields, std::span<const FluidStrip> 
   const Places<Real> places(fields.populations, fields.odd_step);
   const FluidStrip* const end = strips.data() + strips.size();
   for (const FluidStrip* s = strips.data(); s != end; ++s) {
-    prefetch(fields, places, s, end);
+    prefetch(fields, places, s);
     find_strip_velocity(fields, places, *s);
   }
 }

@@ -92,11 +92,9 @@ NPFEM_INLINE StripPopulations<Real> load_populations(Real* populations, const Pl
 }
 
 // The places that a strip touches are scattered over seven rows: the processor does not guess them. They are asked for
-// two strips ahead. Before that, whole strips are asked for in the order of memory, at the time when the plane two
-// below is updated: the rows are visited in an order (NodeMap) that keeps the planes in between in the second-level
-// cache.
-constexpr int kStripsAhead = 2;
-
+// kStripsAhead strips ahead, those of the next rows too. Before that, whole strips are asked for in the order of
+// memory, at the time when the plane two below is updated: the rows are visited in an order (NodeMap) that keeps the
+// planes in between in the second-level cache.
 template <int p, class Real>
 NPFEM_INLINE void prefetch_pair(const Places<Real>& places, const FluidStrip& s) {
   __builtin_prefetch(places.template near_of<p>(s), 1, 3);
@@ -124,12 +122,10 @@ NPFEM_INLINE void prefetch_plane_above(const FluidFields<Real>& fields, const Fl
   for (std::ptrdiff_t n = 0; n < kStripNumbers; n += line) __builtin_prefetch(strip + n, 1, 2);
 }
 
-// Before the strip `s` of a row that ends before `end`.
 template <class Real>
-NPFEM_INLINE void prefetch(const FluidFields<Real>& fields, const Places<Real>& places, const FluidStrip* s,
-                           const FluidStrip* end) {
+NPFEM_INLINE void prefetch(const FluidFields<Real>& fields, const Places<Real>& places, const FluidStrip* s) {
   prefetch_plane_above(fields, *s);
-  if (end - s > kStripsAhead) prefetch_strip(fields, places, s[kStripsAhead]);
+  prefetch_strip(fields, places, s[NodeMap::kStripsAhead]);
 }
 
 // Deviation of the density from 1, and momentum, from sums and differences of opposite populations.
