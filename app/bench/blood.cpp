@@ -3,7 +3,6 @@
 
 #include <stdexcept>
 
-#include "geometry/vec3.h"
 #include "scene/make_cells.h"
 
 namespace npfem::app::bench {
@@ -54,17 +53,6 @@ flow::Scene blood_scene(const std::string& name, const std::vector<std::string>&
   flow::make_types(scene);
   flow::place_scene_cells(scene);
   return scene;
-}
-
-std::vector<double> start_positions(const flow::Setup& setup, const flow::CellStart& cell) {
-  if (!cell.positions.empty()) return cell.positions;
-  std::vector<double> positions = setup.types[static_cast<std::size_t>(cell.type)].shape;
-  for (std::size_t v = 0; v < positions.size(); v += 3) {
-    const flow::Vec3 placed =
-        flow::add(cell.centre, flow::rotate(cell.rotation, {positions[v], positions[v + 1], positions[v + 2]}));
-    for (std::size_t axis = 0; axis < 3; ++axis) positions[v + axis] = placed[axis];
-  }
-  return positions;
 }
 
 }  // namespace npfem::app::bench

@@ -14,7 +14,4 @@ namespace npfem::app::bench {
 /// "shear20_ht20": a small one for a test. Cells are placed at random, always the same.
 flow::Scene blood_scene(const std::string& name, const std::vector<std::string>& assignments = {});
 
-/// Vertices of a cell where it starts, xyz, um.
-std::vector<double> start_positions(const flow::Setup& setup, const flow::CellStart& cell);
-
 }  // namespace npfem::app::bench

@@ -11,6 +11,7 @@
 #include "bench/clock.h"
 #include "bench/suites.h"
 #include "communicator/communicator.h"
+#include "coupling/cell_population.h"
 #include "lattice/threads.h"
 #include "simulation/simulation.h"
 
@@ -39,7 +40,8 @@ double distance_over_way(const flow::Setup& setup, const std::vector<flow::CellS
   for (const flow::CellState& cell : cells) {
     const auto other = std::find_if(finer.begin(), finer.end(), [&](const auto& c) { return c.id == cell.id; });
     if (other == finer.end()) continue;
-    const auto start = start_positions(setup, setup.cells[static_cast<std::size_t>(cell.id)]);
+    const auto start = flow::start_positions(setup.cells[static_cast<std::size_t>(cell.id)],
+                                             setup.types[static_cast<std::size_t>(cell.type)]);
     for (std::size_t i = 0; i < start.size(); ++i) {
       sums[0] += std::pow(cell.position[i] - other->position[i], 2);
       sums[1] += std::pow(other->position[i] - start[i], 2);

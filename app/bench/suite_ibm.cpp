@@ -8,6 +8,7 @@
 #include "bench/statistics.h"
 #include "bench/suites.h"
 #include "communicator/serial_communicator.h"
+#include "coupling/cell_population.h"
 #include "immersed_boundary/immersed_boundary.h"
 #include "lattice/threads.h"
 
@@ -18,7 +19,8 @@ namespace {
 std::vector<double> vertices_in_nodes(const flow::Setup& setup) {
   std::vector<double> all;
   for (const flow::CellStart& cell : setup.cells) {
-    for (const double x : start_positions(setup, cell)) all.push_back(x / setup.domain.dx);
+    const flow::CellType& type = setup.types[static_cast<std::size_t>(cell.type)];
+    for (const double x : flow::start_positions(cell, type)) all.push_back(x / setup.domain.dx);
   }
   return all;
 }

@@ -16,6 +16,13 @@ namespace npfem::flow {
 
 using Bytes = std::vector<std::byte>;
 
+// Packs values behind what a message holds already.
+template <class T>
+void append(Bytes& message, std::span<const T> values) {
+  const auto raw = std::as_bytes(values);
+  message.insert(message.end(), raw.begin(), raw.end());
+}
+
 inline constexpr int kNoRank = -1;  // nobody: beyond a face of the domain that is not periodic
 
 struct Outgoing {

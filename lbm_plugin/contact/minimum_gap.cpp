@@ -128,10 +128,6 @@ double nearest(const CellSurface& cell, const Vec3& shift, const Target& target,
   return best;
 }
 
-void append(Bytes& bytes, std::span<const std::byte> raw) {
-  bytes.insert(bytes.end(), raw.begin(), raw.end());
-}
-
 /// Shifts by whole periods that bring `b` among the nearest images of `a`: those beside the nearest one, too.
 std::vector<Vec3> images(const Domain& domain, const Bounds& a, const Bounds& b) {
   std::vector<Vec3> shifts{{0, 0, 0}};
@@ -187,8 +183,8 @@ std::vector<CellSurface> all_cells(std::span<const CellType> types, Communicator
   Bytes packed;
   for (const CellSurface& cell : own) {
     const std::array<int, 2> tag{cell.id, cell.type};
-    append(packed, std::as_bytes(std::span(tag)));
-    append(packed, std::as_bytes(std::span(cell.positions)));
+    append<int>(packed, tag);
+    append<double>(packed, cell.positions);
   }
   std::vector<CellSurface> all;
   for (const Bytes& bytes : communicator.all_gather(packed)) {

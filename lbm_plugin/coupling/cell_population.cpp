@@ -21,12 +21,6 @@ struct CellTag {
   CellOutcome outcome;
 };
 
-template <class T>
-void append(Bytes& bytes, std::span<const T> values) {
-  const auto raw = std::as_bytes(values);
-  bytes.insert(bytes.end(), raw.begin(), raw.end());
-}
-
 void require_shape(const CellType& type) {
   const auto numbers = 3 * static_cast<std::size_t>(type.model->vertices());
   if (type.shape.size() == numbers) return;
@@ -66,6 +60,7 @@ void CellPopulation::create_batches(double delta) {
                  type.model->get("solid_mass"),
                  {}};
     created.batch.set("time_step", delta);
+    if (setup_.coupling.lineage_steps) created.batch.set("method", "lineage");
     for (const auto& [key, value] : type.options) created.batch.set(key, value);
     for (const double mass : created.solid_mass) has_solid_mass_ = has_solid_mass_ || mass > 0;
     kinds_.push_back(std::move(created));

@@ -23,12 +23,6 @@ void require_length(std::size_t found, std::size_t expected, int source) {
                          " where " + std::to_string(expected) + " were due");
 }
 
-template <class T>
-void append(Bytes& bytes, std::span<const T> values) {
-  const auto raw = std::as_bytes(values);
-  bytes.insert(bytes.end(), raw.begin(), raw.end());
-}
-
 }  // namespace
 
 VertexExchange::VertexExchange(Communicator& communicator, const Decomposition& decomposition, double dx)

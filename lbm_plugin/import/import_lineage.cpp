@@ -234,6 +234,9 @@ class Importer {
            ": Calpha, Cbeta, vel_cap, inamuro_iT and the settings of the lineage's "
            "solver (m, tol, ...) have no counterpart.");
       note("Bodies weigh what they exceed the fluid by: the lattice holds the fluid inside them already.");
+    }
+    if (by_lineage()) note("No vertex is slowed down: vel_cap has no counterpart.");
+    if (!bodies_.empty()) {
       note(
           "A contact presses with weight x threshold per vertex area at touch and ends at the threshold; the "
           "lineage pulls the whole vertex to a point beyond it.");
@@ -333,19 +336,14 @@ class Importer {
     std::string t = "\n[coupling]\nscheme = " + in_quotes(coupling_) +
                     "\nkernel = 4\ncell_every = " + std::to_string(p_.solve_every) + "\n";
     if (!by_lineage()) return t;
+    t += "forcing_iterations = " + std::to_string(p_.forcing_iterations) + "\n";
     const auto& s = p_.solver;
     t += "\n[lineage]\nalpha = " + format_number(p_.rbc.alpha) + "\nbeta = " + quantity(p_.rbc.beta, Dimension::time());
     t += "\nhistory = " + std::to_string(s.history) + "\nmax_iterations = " + std::to_string(s.max_iterations);
     t += "\nmax_line_search = " + std::to_string(s.max_line_search) + "\nattempts = " + std::to_string(s.attempts);
     t += "\nwindow = " + std::to_string(s.window) + "\ntolerance = " + format_number(s.tolerance);
     t += "\narmijo = " + format_number(s.armijo) + "\ncurvature = " + format_number(s.curvature);
-    t += "\nvelocity_cap = " + quantity(s.velocity_cap, Dimension::velocity());
-    t += "\nvelocity_cap_to = " + quantity(s.velocity_cap_to, Dimension::velocity());
-    const auto contact = [](const std::string& ending, const LineageParameters::Contact& c) {
-      return "\ncontact_range" + ending + " = " + quantity(c.range, Dimension::length()) + "\ncontact_weight" + ending +
-             " = " + quantity(c.weight, Dimension::surface_modulus());
-    };
-    return t + contact("", p_.like) + contact("_unlike", p_.unlike) + "\n";
+    return t + "\n";
   }
 
   /// Pressure at touch: the spring of a vertex at full threshold over the area of the vertex.
@@ -355,7 +353,7 @@ class Importer {
   }
 
   std::string contact_text() const {
-    if (by_lineage() || bodies_.empty()) return "";
+    if (bodies_.empty()) return "";
     const auto stress = [](double pascal) { return quantity(pascal, Dimension::stress()); };
     const auto three_digits = [](double value) { return std::stod(text::format_rounded(value)); };
     const double like = three_digits(touch_pressure(p_.like, bodies_[0]));

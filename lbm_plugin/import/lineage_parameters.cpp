@@ -106,9 +106,8 @@ void read_solver(const LineageXml& xml, P& p) {
               .window = xml.whole_number(s + "convergence_window", 2),
               .tolerance = xml.positive(s + "tol"),
               .armijo = xml.positive(s + "gamma"),
-              .curvature = xml.positive(s + "gamma2"),
-              .velocity_cap = xml.positive("System_Setup/vel_cap") * p.dx / p.step(),
-              .velocity_cap_to = xml.positive("System_Setup/vel_cap_fin") * p.dx / p.step()};
+              .curvature = xml.positive(s + "gamma2")};
+  p.forcing_iterations = xml.whole_number("System_Setup/inamuro_iT", 1);
   const auto contact = [&](const std::string& kind) {
     const double range = xml.number(s + "collisions_threshold_" + kind) * p.dx;  // lattice units
     const double weight = xml.number(s + "collisions_weight_" + kind);

@@ -36,6 +36,7 @@ struct LineageParameters {
   double duration;                                  ///< us
   int output_every, checkpoint_every, solve_every;  ///< fluid steps
   int rbc_count, platelet_count;                    ///< of a restart
+  int forcing_iterations;                           ///< inamuro_iT
   struct Contact {
     double range;   ///< um
     double weight;  ///< pN/um
@@ -44,7 +45,6 @@ struct LineageParameters {
   struct Solver {
     int history, max_iterations, max_line_search, attempts, window;
     double tolerance, armijo, curvature;
-    double velocity_cap, velocity_cap_to;  ///< um/us
   } solver;
 
   /// Relaxation time in steps, whichever of the two was given.

@@ -15,14 +15,6 @@ Vec3 value_of(const VectorSum& sum) {
   return {sum[0].value(), sum[1].value(), sum[2].value()};
 }
 
-/// The two places of a pair, from the near one of even steps.
-constexpr std::ptrdiff_t near_shift(bool odd_step) {
-  return odd_step ? -8 : 0;
-}
-constexpr std::ptrdiff_t far_shift(bool odd_step) {
-  return odd_step ? 0 : -8;
-}
-
 /// A node as a pressure face sees it.
 struct NodeState {
   std::array<double, 9> even;  // f_i + f_i+1, by pairs
@@ -76,7 +68,7 @@ double share_of_node(const NodeMap& nodes, const Boundary& inlet, NodeType type,
 }  // namespace
 
 BoundaryLinks::BoundaryLinks(const NodeMap& nodes, const Geometry& geometry)
-    : factors_(geometry.boundaries.size(), 1.0), impulses_(geometry.boundaries.size()) {
+    : factors_(geometry.boundaries.size(), 1.0) {
   for (int iz = 0; iz < nodes.size(2); ++iz) {
     planes_.push_back({links_.size(), pressure_links_.size()});
     for (int iy = 0; iy < nodes.size(1); ++iy) {
@@ -87,7 +79,7 @@ BoundaryLinks::BoundaryLinks(const NodeMap& nodes, const Geometry& geometry)
     }
   }
   planes_.push_back({links_.size(), pressure_links_.size()});
-  plane_impulses_.resize(static_cast<std::size_t>(nodes.size(2)) * factors_.size());
+  plane_impulses_.resize(static_cast<std::size_t>(nodes.size(2)));
 }
 
 void BoundaryLinks::add_link(const NodeMap& nodes, const Geometry& geometry, const Index3& node, int direction) {
@@ -129,12 +121,11 @@ template <class Real>
 void BoundaryLinks::turn_back_plane(const FluidFields<Real>& fields, std::size_t plane) {
   Real* const populations = fields.populations;
   const std::array<std::ptrdiff_t, 2> leaving = {near_shift(fields.odd_step), far_shift(fields.odd_step)};
-  std::vector<VectorSum> impulse(factors_.size());
+  VectorSum impulse;
   const auto book = [&](const Link& link, double exchanged) {
     const auto& c = kVelocity[static_cast<std::size_t>(link.direction)];
-    VectorSum& sum = impulse[static_cast<std::size_t>(link.boundary)];
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (c[axis] != 0) sum[axis].add(-c[axis] * exchanged);
+      if (c[axis] != 0) impulse[axis].add(-c[axis] * exchanged);
     }
   };
   for (std::size_t l = planes_[plane].first_link; l < planes_[plane + 1].first_link; ++l) {
@@ -154,9 +145,7 @@ void BoundaryLinks::turn_back_plane(const FluidFields<Real>& fields, std::size_t
     populations[link.near_even + leaving[1 - up]] = back;
     book(link, double{gone} + double{back});
   }
-  for (std::size_t b = 0; b < impulse.size(); ++b) {
-    plane_impulses_[plane * factors_.size() + b] = value_of(impulse[b]);
-  }
+  plane_impulses_[plane] = value_of(impulse);
 }
 
 template <class Real>
@@ -165,15 +154,8 @@ void BoundaryLinks::turn_back(const FluidFields<Real>& fields) {
 #pragma omp parallel for schedule(static)
   for (std::size_t plane = 0; plane < planes; ++plane) turn_back_plane(fields, plane);
   VectorSum all;
-  for (std::size_t b = 0; b < factors_.size(); ++b) {
-    VectorSum total;
-    for (std::size_t plane = 0; plane < planes; ++plane) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        total[axis].add(plane_impulses_[plane * factors_.size() + b][axis]);
-        all[axis].add(plane_impulses_[plane * factors_.size() + b][axis]);
-      }
-    }
-    impulses_[b] = value_of(total);
+  for (const Vec3& plane : plane_impulses_) {
+    for (std::size_t axis = 0; axis < 3; ++axis) all[axis].add(plane[axis]);
   }
   impulse_ = value_of(all);
 }

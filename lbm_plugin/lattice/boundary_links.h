@@ -42,8 +42,19 @@ class BoundaryLinks {
   // Momentum given to the fluid by the boundaries in the last step: for each link -c_i (leaving + returning). The
   // pressure of the density 1 is left out: it sums to zero over all links of all ranks.
   const Vec3& impulse() const { return impulse_; }
-  // The share of one boundary.
-  const Vec3& impulse_of(int boundary) const { return impulses_[static_cast<std::size_t>(boundary)]; }
+  // visit(boundary, direction towards it, population that has come back, 6 w_i c_i . u) for every velocity link of the
+  // step just done; the step to come is `odd_step`.
+  template <class Real, class Visit>
+  void for_each_returned(const Real* populations, bool odd_step, Visit visit) const {
+    for (const Link& link : links_) {
+      // What waits for its node lies where nodes look for it: upwards links at the far place, the others at the near
+      // one.
+      const bool up = link.direction % 2 == 1;
+      const Real returned = populations[link.near_even + (up ? far_shift(odd_step) : near_shift(odd_step))];
+      visit(link.boundary, link.direction, double{returned}, link.term * factor(link.boundary));
+    }
+  }
+  int boundaries() const { return static_cast<int>(factors_.size()); }
 
  private:
   // From a fluid node along direction i to a node that is not. The pair of populations of a link has its two places at
@@ -72,8 +83,7 @@ class BoundaryLinks {
   std::vector<PressureLink> pressure_links_;
   std::vector<Plane> planes_;  // of constant z, and one more behind the last
   std::vector<double> factors_;
-  std::vector<Vec3> plane_impulses_;  // by plane and boundary: added up in that order
-  std::vector<Vec3> impulses_;        // by boundary
+  std::vector<Vec3> plane_impulses_;  // by plane of constant z: added up in that order
   Vec3 impulse_{};
 };
 

@@ -41,6 +41,14 @@ constexpr int far_place(int i, bool odd_step) {
   return odd_step ? i + 1 : i;
 }
 
+// The same as distances from the index of the near place in even steps.
+constexpr std::ptrdiff_t near_shift(bool odd_step) {
+  return odd_step ? -8 : 0;
+}
+constexpr std::ptrdiff_t far_shift(bool odd_step) {
+  return odd_step ? 0 : -8;
+}
+
 // Relaxation of the even and the odd part of the populations, and Guo's factors in front of the force.
 struct RelaxationRates {
   double even;        // 1 / tau

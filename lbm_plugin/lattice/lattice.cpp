@@ -80,8 +80,7 @@ void for_each_row(std::span<const NodeMap::Row> rows, Work work) {
 
 Lattice::Lattice(Communicator& communicator, const Decomposition& decomposition, const Geometry& geometry,
                  const LatticeOptions& options)
-    : communicator_(communicator),
-      decomposition_(decomposition),
+    : decomposition_(decomposition),
       options_(checked(options)),
       instruction_set_(options.instruction_set.value_or(best_instruction_set())),
       nodes_(agreed_node_map(communicator, decomposition, geometry)),

@@ -150,7 +150,12 @@ class Lattice {
   // Momentum given to the fluid by this rank's walls in the last step. The pressure of the density 1 is left out: it
   // sums to zero over the walls of all ranks.
   const Vec3& wall_impulse() const { return links_.impulse(); }
-  const Vec3& wall_impulse_of(int boundary) const { return links_.impulse_of(boundary); }
+  // The links of this rank to walls and inlets in the last step, see BoundaryLinks::for_each_returned.
+  template <class Visit>
+  void for_each_wall_link(Visit visit) const {
+    visit_numbers([&](const auto& numbers) { links_.for_each_returned(numbers.populations.data(), odd_step_, visit); });
+  }
+  int boundaries() const { return links_.boundaries(); }
   double max_speed() const;  // at the last update_velocity(); infinite where a velocity is not finite
   bool is_finite() const;    // every population of this rank
   // Hash of the populations of the own fluid nodes, keyed by global node number and direction. Summed modulo 2^64 over
@@ -168,7 +173,6 @@ class Lattice {
   void set_velocity_of_boundary(int boundary, double factor);
   Vec3 node_bare_momentum(int ix, int iy, int iz) const;
 
-  Communicator& communicator_;
   Decomposition decomposition_;
   LatticeOptions options_;
   InstructionSet instruction_set_;

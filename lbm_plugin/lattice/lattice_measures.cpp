@@ -9,6 +9,7 @@
 
 #include "lattice/compensated_sum.h"
 #include "lattice/lattice.h"
+#include "mix_bits.h"
 
 namespace npfem::flow {
 namespace {
@@ -42,13 +43,6 @@ Vec3 momentum_of(const Lattice::Populations& f) {
 
 Vec3 with_half(const Vec3& momentum, const Vec3& force) {
   return {momentum[0] + 0.5 * force[0], momentum[1] + 0.5 * force[1], momentum[2] + 0.5 * force[2]};
-}
-
-// Finaliser of splitmix64 (Steele, Lea & Flood 2014): every bit of the input reaches every bit of the output.
-constexpr std::uint64_t mix(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
-  return x ^ (x >> 31);
 }
 
 }  // namespace
@@ -234,7 +228,7 @@ std::uint64_t Lattice::state_hash() const {
     const Populations f = populations_at(ix, iy, iz);
     for (int i = 0; i < kDirections; ++i) {
       const auto key = static_cast<std::uint64_t>(id * kDirections + i + 1);
-      hash += mix(std::bit_cast<std::uint64_t>(f[std::size_t(i)]) + mix(key));
+      hash += mix_bits(std::bit_cast<std::uint64_t>(f[std::size_t(i)]) + mix_bits(key));
     }
   });
   return hash;

@@ -11,13 +11,6 @@ namespace {
 
 using d3q19::kVelocity;
 
-constexpr std::ptrdiff_t near_shift(bool odd_step) {
-  return odd_step ? -8 : 0;
-}
-constexpr std::ptrdiff_t far_shift(bool odd_step) {
-  return odd_step ? 0 : -8;
-}
-
 // A node beyond the own box as the node of the whole grid that it copies; none beyond a face that is not periodic.
 std::optional<Index3> in_grid(const Decomposition& decomposition, Index3 node) {
   for (int axis = 0; axis < 3; ++axis) {

@@ -61,9 +61,9 @@ MeanVelocity mean_velocity(const Simulation& simulation, Communicator& communica
 }
 
 /// Shear stress on the walls, positive where the fluid drags a wall at rest along or a plate drags the fluid, Pa.
-double wall_stress(const Simulation& simulation, const WallLinks& links, Communicator& communicator) {
+double wall_stress(const Simulation& simulation, Communicator& communicator) {
   const Domain& domain = simulation.setup().domain;
-  const std::vector<Vec3> forces = links.forces(simulation.lattice(), communicator);
+  const std::vector<Vec3> forces = wall_forces(simulation.lattice(), communicator);
   const std::size_t axis = domain.flow_axis();
   // boundaries as in Domain::node_kind: 0 at rest, 1 the lower plate, 2 the upper one
   const double force = domain.kind == DomainKind::shear_box ? forces[2][axis] - forces[1][axis] : -forces[0][axis];
@@ -113,15 +113,14 @@ void count_cells(const Setup& setup, const std::vector<CellFlow>& cells, Rheolog
 }
 
 /// Of the whole system; what concerns cells on rank 0 only.
-Rheology measure(const Simulation& simulation, const std::optional<WallLinks>& links,
-                 std::span<const CellState> local_cells, Communicator& communicator) {
+Rheology measure(const Simulation& simulation, std::span<const CellState> local_cells, Communicator& communicator) {
   const Setup& setup = simulation.setup();
   const Domain& domain = setup.domain;
   const MeanVelocity velocity = mean_velocity(simulation, communicator);
   Rheology r;
   r.mean_velocity = velocity.found;
   r.flow_rate = velocity.found * domain.fluid_volume() / domain.size()[domain.flow_axis()];
-  r.wall_stress = links ? wall_stress(simulation, *links, communicator) : unknown;
+  r.wall_stress = domain.is_plain_channel() ? wall_stress(simulation, communicator) : unknown;
   const double viscosity = setup.density * setup.kinematic_viscosity;
   const double rate = domain.plate_speed / domain.size()[1];
   const bool comparable = domain.is_plain_channel() && setup.waveform.is_constant();
@@ -183,11 +182,7 @@ RheologyTable::RheologyTable(Communicator& communicator, const std::filesystem::
     : communicator_(communicator), file_(communicator, path, header_for(setup), resumed_at) {}
 
 void RheologyTable::append(const Simulation& simulation, std::span<const CellState> local_cells) {
-  const Domain& domain = simulation.setup().domain;
-  if (!links_ && domain.is_plain_channel()) {
-    links_.emplace(simulation.lattice(), lattice_geometry(domain, simulation.units()));
-  }
-  const Rheology rheology = measure(simulation, links_, local_cells, communicator_);
+  const Rheology rheology = measure(simulation, local_cells, communicator_);
   file_.append(communicator_.rank() == 0 ? line_of(simulation, rheology) : "");
 }
 

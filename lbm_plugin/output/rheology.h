@@ -11,7 +11,7 @@
 
 #include "communicator/communicator.h"
 #include "output/table_file.h"
-#include "output/wall_links.h"
+#include "output/wall_forces.h"
 #include "simulation/simulation.h"
 
 namespace npfem::flow {
@@ -44,7 +44,6 @@ class RheologyTable {
  private:
   Communicator& communicator_;
   TableFile file_;
-  std::optional<WallLinks> links_;  // made when they are first needed
 };
 
 /// Every column of a rheology.csv averaged over the second half of its time, displacements as they are in the last

@@ -44,34 +44,6 @@ inline constexpr Key window{.name = "window",
 inline constexpr Key tolerance{.name = "tolerance", .range = Range::positive, .fallback = "1e-5"};
 inline constexpr Key armijo{.name = "armijo", .range = Range::positive, .fallback = "1e-4", .doc = "`gamma`."};
 inline constexpr Key curvature{.name = "curvature", .range = Range::positive, .fallback = "0.9", .doc = "`gamma2`."};
-inline constexpr Key velocity_cap{.name = "velocity_cap",
-                                  .dimension = Dimension::velocity(),
-                                  .range = Range::non_negative,
-                                  .fallback = "0 mm/s",
-                                  .doc = "A faster vertex is slowed down; 0: never."};
-inline constexpr Key velocity_cap_to{.name = "velocity_cap_to",
-                                     .dimension = Dimension::velocity(),
-                                     .range = Range::non_negative,
-                                     .fallback = "0 mm/s",
-                                     .doc = "To this speed."};
-inline constexpr Key contact_range{.name = "contact_range",
-                                   .dimension = Dimension::length(),
-                                   .range = Range::non_negative,
-                                   .fallback = "1 um",
-                                   .doc = "Between cells of one type, and to walls."};
-inline constexpr Key contact_weight{.name = "contact_weight",
-                                    .dimension = Dimension::surface_modulus(),
-                                    .range = Range::non_negative,
-                                    .fallback = "20 uN/m"};
-inline constexpr Key contact_range_unlike{.name = "contact_range_unlike",
-                                          .dimension = Dimension::length(),
-                                          .range = Range::non_negative,
-                                          .fallback = "1 um",
-                                          .doc = "Between cells of different types."};
-inline constexpr Key contact_weight_unlike{.name = "contact_weight_unlike",
-                                           .dimension = Dimension::surface_modulus(),
-                                           .range = Range::non_negative,
-                                           .fallback = "20 uN/m"};
 }  // namespace lineage
 
 }  // namespace npfem::flow::keys

@@ -4,27 +4,19 @@
 
 namespace npfem::flow {
 
-LineageSettings read_lineage(const text::Table& table) {
+std::vector<std::pair<std::string, double>> read_lineage(const text::Table& table) {
   namespace k = keys::lineage;
   constexpr int most = 1000000;
-  LineageSettings s;
-  s.alpha = table.quantity(k::alpha);
-  s.beta = table.quantity(k::beta);
-  s.history = within(table, k::history, 0, 1000);
-  s.max_iterations = within(table, k::max_iterations, 1, most);
-  s.max_line_search = within(table, k::max_line_search, 1, most);
-  s.attempts = within(table, k::attempts, 1, most);
-  s.window = within(table, k::window, 2, 1000);
-  s.tolerance = table.quantity(k::tolerance);
-  s.armijo = table.quantity(k::armijo);
-  s.curvature = table.quantity(k::curvature);
-  s.velocity_cap = table.quantity(k::velocity_cap);
-  s.velocity_cap_to = table.quantity(k::velocity_cap_to);
-  s.contact_range = table.quantity(k::contact_range);
-  s.contact_weight = table.quantity(k::contact_weight);
-  s.contact_range_unlike = table.quantity(k::contact_range_unlike);
-  s.contact_weight_unlike = table.quantity(k::contact_weight_unlike);
-  return s;
+  return {{"lineage_alpha", table.quantity(k::alpha)},
+          {"lineage_beta", table.quantity(k::beta)},
+          {"history", within(table, k::history, 0, 1000)},
+          {"max_iterations", within(table, k::max_iterations, 1, most)},
+          {"max_line_search", within(table, k::max_line_search, 1, 1000)},
+          {"lineage_attempts", within(table, k::attempts, 1, most)},
+          {"lineage_window", within(table, k::window, 2, 1000)},
+          {"lineage_tolerance", table.quantity(k::tolerance)},
+          {"lineage_armijo", table.quantity(k::armijo)},
+          {"lineage_curvature", table.quantity(k::curvature)}};
 }
 
 }  // namespace npfem::flow

@@ -24,7 +24,8 @@ Solid read_solid(const text::Table& table, const Domain& domain, const std::file
 SurfaceSolid read_surface(const text::Table& table, const Domain& domain, const std::filesystem::path& folder,
                           bool fluid_inside);
 /// Settings of Palabos-npFEM.
-LineageSettings read_lineage(const text::Table& table);
+/// Options of the cell solver.
+std::vector<std::pair<std::string, double>> read_lineage(const text::Table& table);
 /// The factor in time; needs the kind of driving.
 Signal read_waveform(const text::Table& table);
 /// Density, viscosity and time step; needs the domain.

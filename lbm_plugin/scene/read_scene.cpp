@@ -127,13 +127,14 @@ Scene read(text::Document document, const std::filesystem::path& folder, const s
   for (const Table& cells : root.tables("cells")) scene.requests.push_back(read_cells(cells, scene, folder));
   match_stored_cells(placement, scene);
   read_coupling(root.table("coupling"), setup);
-  if (setup.coupling.scheme == CouplingScheme::lineage) {
-    setup.coupling.lineage = read_lineage(root.table("lineage"));
+  scene.solver_options = read_solver(root.table("solver"));
+  setup.coupling.lineage_steps = setup.coupling.scheme == CouplingScheme::lineage;
+  if (setup.coupling.lineage_steps) {
+    for (const auto& option : read_lineage(root.table("lineage"))) scene.solver_options.push_back(option);
   } else if (root.has("lineage")) {
     root.fail("lineage", "holds only with coupling.scheme = \"lineage\"");
   }
   read_contact(root.table("contact"), scene);
-  scene.solver_options = read_solver(root.table("solver"));
   scene.steps = read_steps(root.table("run"), setup.time_step);
   scene.output = read_output(root.table("output"), setup.time_step);
   return scene;

@@ -41,32 +41,12 @@ enum class CouplingScheme {
   lineage,   ///< stress sampling and direct forcing as in Palabos-npFEM, for comparison
 };
 
-/// What the scheme `lineage` needs besides: the settings of Palabos-npFEM, in our units.
-struct LineageSettings {
-  double alpha = 0.9;  ///< Calpha: share of the non-rigid velocity taken away in each step of the cells
-  double beta = 0.01;  ///< Cbeta, us: damping proportional to stiffness
-  int history = 5;     ///< pairs of the search history
-  int max_iterations = 30;
-  int max_line_search = 5;
-  int attempts = 7;  ///< failed line searches allowed in a step
-  int window = 5;    ///< objective values compared for convergence
-  double tolerance = 1e-5;
-  double armijo = 1e-4;
-  double curvature = 0.9;
-  double velocity_cap = 0;            ///< um/us: a faster vertex is slowed down to velocity_cap_to; 0: never
-  double velocity_cap_to = 0;         ///< um/us
-  double contact_range = 1;           ///< um, between cells of one type and to walls
-  double contact_weight = 20;         ///< pN/um
-  double contact_range_unlike = 1;    ///< um, between red cells and platelets
-  double contact_weight_unlike = 20;  ///< pN/um
-};
-
 struct CouplingSettings {
   CouplingScheme scheme = CouplingScheme::implicit;
   int kernel_points = 4;       ///< width of the immersed-boundary kernel in nodes: 2, 3 or 4
   int steps_per_solve = 1;     ///< fluid steps per step of the cell solver (k)
   int forcing_iterations = 1;  ///< `lineage` only: of the force that makes the fluid follow the vertices
-  LineageSettings lineage = {};
+  bool lineage_steps = false;  ///< the cells are solved by the steps of Palabos-npFEM, with its options
 };
 
 /// What acts between two types of cell, or between a type and the walls, in place of the default.

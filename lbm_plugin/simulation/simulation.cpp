@@ -256,13 +256,10 @@ void Simulation::State::record(const CellStepReport& report) {
 /// Makes every rank know the failures of all, in order of id. A cell is named once, when it first fails.
 void Simulation::State::record_failures(const std::vector<LocalFailure>& local) {
   Bytes packed;
-  const auto append = [&packed](std::span<const std::byte> bytes) {
-    packed.insert(packed.end(), bytes.begin(), bytes.end());
-  };
   for (const LocalFailure& failure : local) {
     const std::array<int, 3> tag{failure.id, failure.type, static_cast<int>(failure.reason.size())};
-    append(std::as_bytes(std::span(tag)));
-    append(std::as_bytes(std::span(failure.reason)));
+    append<int>(packed, tag);
+    append<char>(packed, failure.reason);
   }
   std::vector<CellFailure> fresh;
   for (const Bytes& bytes : communicator.all_gather(packed)) {

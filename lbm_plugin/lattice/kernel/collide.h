@@ -54,7 +54,7 @@ struct StripState {
   Pack<Real> work;  // u . F
 };
 
-// Sums and differences of opposite populations; `departure` of the even half-sums from equilibrium, as stress.
+// Sums and differences of opposite populations.
 template <class Real>
 struct Parts {
   Pack<Real> even[9];
@@ -115,12 +115,11 @@ struct Collider {
   // Relaxes one pair of opposite populations and stores it. Nodes that are not fluid keep what their places hold.
   template <int p>
   NPFEM_INLINE void relax_pair(const StripPopulations<Real>& before) const {
-    constexpr Real w = static_cast<Real>(d3q19::weight(2 * p + 1));
     constexpr Real w3 = static_cast<Real>(3.0 * d3q19::weight(2 * p + 1));
     const Pack<Real> cu = along<p, Real>(state.velocity);
     const Pack<Real> cf = along<p, Real>(state.force);
     const Pack<Real> odd = Real(0.5) * parts.odd[p];
-    const Pack<Real> even_eq = w * (state.base + Real(4.5) * (cu * cu));
+    const Pack<Real> even_eq = even_equilibrium<p, Real>(state);
     const Pack<Real> odd_eq = w3 * cu;
     const Pack<Real> even_source = w3 * (Real(3) * (cu * cf) - state.work);
     const Pack<Real> odd_source = w3 * cf;
@@ -167,15 +166,7 @@ NPFEM_INLINE void collide_strip(const FluidFields<Real>& fields, const Places<Re
 
   Stress<Real> stress;
   if constexpr (regularised) {
-    add_stress<0>(state, parts, stress);
-    add_stress<1>(state, parts, stress);
-    add_stress<2>(state, parts, stress);
-    add_stress<3>(state, parts, stress);
-    add_stress<4>(state, parts, stress);
-    add_stress<5>(state, parts, stress);
-    add_stress<6>(state, parts, stress);
-    add_stress<7>(state, parts, stress);
-    add_stress<8>(state, parts, stress);
+    for_each_pair([&]<int p>() NPFEM_INLINE_LAMBDA { add_stress<p>(state, parts, stress); });
   }
 
   const PackMask<Real> fluid = mask_of<Real>(s.fluid);
@@ -192,15 +183,7 @@ NPFEM_INLINE void collide_strip(const FluidFields<Real>& fields, const Places<Re
   pack_at(fields.populations + s.strip * kStripNumbers) = rest;
 
   const Collider<Real, Number, regularised, masked> collider{places, s, rates, state, parts, stress, fluid};
-  collider.template relax_pair<0>(f);
-  collider.template relax_pair<1>(f);
-  collider.template relax_pair<2>(f);
-  collider.template relax_pair<3>(f);
-  collider.template relax_pair<4>(f);
-  collider.template relax_pair<5>(f);
-  collider.template relax_pair<6>(f);
-  collider.template relax_pair<7>(f);
-  collider.template relax_pair<8>(f);
+  for_each_pair([&]<int p>() NPFEM_INLINE_LAMBDA { collider.template relax_pair<p>(f); });
 }
 
 template <class Real, bool node_force, bool regularised, bool two_fluids>

@@ -12,3 +12,4 @@
 #endif
 
 #define NPFEM_INLINE [[gnu::always_inline]] inline
+#define NPFEM_INLINE_LAMBDA __attribute__((always_inline))

@@ -4,6 +4,8 @@
 // Fetching the populations of a strip from where the last step has left them, and storing them where the next one looks
 // (see lattice/kernels.h).
 
+#include <utility>
+
 #include "lattice/kernel/strip_pack.h"
 #include "lattice/kernels.h"
 
@@ -32,6 +34,16 @@ NPFEM_INLINE std::ptrdiff_t far_strip(const FluidStrip& s) {
 }
 template <int p>
 inline constexpr bool leads_along_x = d3q19::kVelocity[2 * p + 1][0] == 1;
+
+// work.operator()<p>() for the nine pairs of opposite directions.
+template <class Work, int... p>
+NPFEM_INLINE void for_pairs(const Work& work, std::integer_sequence<int, p...>) {
+  (work.template operator()<p>(), ...);
+}
+template <class Work>
+NPFEM_INLINE void for_each_pair(const Work& work) {
+  for_pairs(work, std::make_integer_sequence<int, 9>{});
+}
 
 // The two places of a pair change roles from step to step.
 template <class Real>
@@ -79,15 +91,7 @@ NPFEM_INLINE StripPopulations<Real> load_populations(Real* populations, const Pl
                                                      const FluidStrip& s) {
   StripPopulations<Real> f;
   f.rest = pack_at(populations + s.strip * kStripNumbers);
-  load_pair<0>(places, s, f);
-  load_pair<1>(places, s, f);
-  load_pair<2>(places, s, f);
-  load_pair<3>(places, s, f);
-  load_pair<4>(places, s, f);
-  load_pair<5>(places, s, f);
-  load_pair<6>(places, s, f);
-  load_pair<7>(places, s, f);
-  load_pair<8>(places, s, f);
+  for_each_pair([&]<int p>() NPFEM_INLINE_LAMBDA { load_pair<p>(places, s, f); });
   return f;
 }
 
@@ -103,15 +107,7 @@ NPFEM_INLINE void prefetch_pair(const Places<Real>& places, const FluidStrip& s)
 template <class Real>
 NPFEM_INLINE void prefetch_strip(const FluidFields<Real>& fields, const Places<Real>& places, const FluidStrip& s) {
   __builtin_prefetch(fields.populations + s.strip * kStripNumbers, 1, 3);
-  prefetch_pair<0>(places, s);
-  prefetch_pair<1>(places, s);
-  prefetch_pair<2>(places, s);
-  prefetch_pair<3>(places, s);
-  prefetch_pair<4>(places, s);
-  prefetch_pair<5>(places, s);
-  prefetch_pair<6>(places, s);
-  prefetch_pair<7>(places, s);
-  prefetch_pair<8>(places, s);
+  for_each_pair([&]<int p>() NPFEM_INLINE_LAMBDA { prefetch_pair<p>(places, s); });
 }
 
 template <class Real>

@@ -3,6 +3,7 @@
 #include "import/import_lineage.h"
 
 #include <gtest/gtest.h>
+#include <map>
 
 #include <filesystem>
 #include <functional>
@@ -150,16 +151,17 @@ TEST_F(ImportLineage, PackingAsksForTheLineagesNumbers) {
 
 TEST_F(ImportLineage, CouplingOfTheLineageCarriesItsSettings) {
   const Scene scene = made(import("obstacle_params.xml", "lineage"));
-  const LineageSettings& s = scene.setup.coupling.lineage;
+  const std::map<std::string, double> option(scene.solver_options.begin(), scene.solver_options.end());
   EXPECT_EQ(scene.setup.coupling.scheme, CouplingScheme::lineage);
   EXPECT_EQ(scene.setup.collision, Collision::regularised);
-  EXPECT_EQ(s.alpha, 0.9);
-  EXPECT_EQ(s.beta, 0.01);
-  EXPECT_EQ(s.history, 5);
-  EXPECT_EQ(s.window, 5);
-  EXPECT_EQ(s.attempts, 7);
-  EXPECT_NEAR(s.velocity_cap, 0.16, 1e-15) << "0.04 nodes a step";
-  EXPECT_EQ(s.contact_range, 1) << "2 nodes";
+  EXPECT_TRUE(scene.setup.coupling.lineage_steps);
+  EXPECT_EQ(scene.setup.coupling.forcing_iterations, 1);
+  EXPECT_EQ(option.at("lineage_alpha"), 0.9);
+  EXPECT_EQ(option.at("lineage_beta"), 0.01);
+  EXPECT_EQ(option.at("history"), 5);
+  EXPECT_EQ(option.at("lineage_window"), 5);
+  EXPECT_EQ(option.at("lineage_attempts"), 7);
+  EXPECT_EQ(scene.setup.contact.cells.range, 1) << "2 nodes";
   EXPECT_EQ(scene.requests.at(0).body_density, 1125);
   EXPECT_EQ(made(import("obstacle_params.xml")).requests.at(0).body_density, 100) << "beyond the fluid";
 }

@@ -71,7 +71,8 @@ TEST_F(LineageCheckpointTest, NewestCompleteSetOfARunCounts) {
 TEST_F(LineageCheckpointTest, IncompleteSetsAreNamed) {
   write("body_ID_0.csv", "1,2,3\n4,x,6\n");
   EXPECT_EQ(error_of([&] { LineageCheckpoint(folder_.path(), 2); }),
-            std::string("\"").append(folder_.path().string()) + "\" holds no complete set of 2 bodies: \"body_ID_1.csv\" is missing");
+            std::string("\"").append(folder_.path().string()) +
+                "\" holds no complete set of 2 bodies: \"body_ID_1.csv\" is missing");
   const LineageCheckpoint set(folder_.path(), 1);
   EXPECT_EQ(error_of([&] { set.positions(0, 2); }),
             (folder_.path() / "body_ID_0.csv").string() + ":2: found \"x\" where a number is needed");
