@@ -5,10 +5,29 @@
 
 #include <nlohmann/json.hpp>
 
+#include "contact/surface_crossing.h"
+#include "coupling/cell_population.h"
+
 namespace npfem::app {
 
 std::vector<flow::Limit> limits_of(const flow::Scene& scene) {
   return accuracy_limits(scene.setup, scene.largest_velocity, scene.largest_shear_rate);
+}
+
+std::string warning_of_crossings(const flow::Scene& scene) {
+  const flow::Setup& setup = scene.setup;
+  std::vector<flow::CellSurface> surfaces;
+  bool given = false;
+  for (std::size_t id = 0; id < setup.cells.size(); ++id) {
+    const flow::CellStart& cell = setup.cells[id];
+    given = given || !cell.positions.empty();
+    const flow::CellType& type = setup.types[static_cast<std::size_t>(cell.type)];
+    surfaces.push_back({static_cast<int>(id), cell.type, flow::start_positions(cell, type)});
+  }
+  const std::int64_t crossings = given ? flow::count_crossings(setup.domain, setup.types, surfaces) : 0;
+  if (crossings == 0) return "";
+  return "cells start through each other: " + std::to_string(crossings) +
+         " pairs of triangles cross; npfem pack makes a start without";
 }
 
 void print_limits(const std::vector<flow::Limit>& limits) {

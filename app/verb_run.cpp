@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MPL-2.0
 // npfem run: a scene from its first step to its last.
 #include <filesystem>
+#include <iostream>
 #include <optional>
 
+#include "assessment.h"
 #include "file.h"
 #include "output/run_output.h"
 #include "scene/make_cells.h"
@@ -53,6 +55,8 @@ int run(Session& session, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   if (!options.loop.walltime.empty()) parse_walltime(options.loop.walltime);
   flow::Scene scene = load(session, options.scene);
+  const std::string warning = session.first() ? warning_of_crossings(scene) : "";
+  if (!warning.empty()) std::cerr << "npfem: " << warning << "\n";
   std::optional<flow::Simulation> simulation;
   on_all_ranks(session, [&] { simulation.emplace(scene.setup, session.communicator); });
   prepare_folder(session, options, scene);

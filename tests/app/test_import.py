@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MPL-2.0
 """npfem import: inputs of Palabos-npFEM as scenes."""
+import csv
 import os
 import pathlib
+import re
 import shutil
 
 import pytest
@@ -48,3 +50,43 @@ def test_bad_arguments(program, lineage):
     wrong = program("import", lineage / "obstacle_params.xml", "-o", lineage / "a.toml", "--coupling", "magic")
     assert wrong.returncode == 2
     assert program("import", lineage / "no.xml", "-o", lineage / "a.toml").returncode == 2
+
+
+def test_a_start_set_that_interpenetrates_is_named(program, lineage):
+    """Two bodies half a micrometre apart, as two of the lineage's own start set are."""
+    body = lineage / "Case_Studies" / "RBC_Surface_mesh_258SurfVer" / "points.csv"
+    rows = [[float(x) for x in line.split(",")] for line in body.read_text().splitlines()]
+    (lineage / "CPs").mkdir()
+    for number in (0, 1):
+        lines = ("%g,%g,%g" % (x + 25, y + 25, z + 25 + 0.5 * number) for x, y, z in rows)
+        (lineage / "CPs" / ("body_ID_%d.csv" % number)).write_text("\n".join(lines) + "\n")
+    parameters = lineage / "shear_params.xml"
+    text = re.sub(r"<numRBC>[^<]*</numRBC>", "<numRBC> 2 </numRBC>", parameters.read_text())
+    parameters.write_text(re.sub(r"<numPLT>[^<]*</numPLT>", "<numPLT> 0 </numPLT>", text))
+    scene = lineage / "shear.toml"
+    result = program("import", parameters, "-o", scene)
+    assert result.returncode == 0, result.stderr
+    warning = "cells start through each other: "
+    assert "warning: " + warning in program("validate", scene).stdout
+    run = program("run", scene, "-o", lineage / "out", "--quiet", "--set", "run.steps=0", "--set", "output.fluid=false")
+    assert run.returncode == 0 and "npfem: " + warning in run.stderr
+
+
+def test_the_cell_before_an_obstacle_follows_the_recorded_path(program, lineage):
+    """Centre of mass of the lineage's own run of its obstacle scene, 2 ranks: within 0.25 um in z, and with its own
+    coupling within 0.1 um for the first 125 us. The other coupling lacks the damping that its steps bring along."""
+    steps = int(os.environ.get("NPFEM_OBSTACLE_STEPS", "1000"))
+    record = [line for line in (SHARED / "reference_runs" / "obstacle_centre_of_mass.csv").read_text().splitlines()
+              if not line.startswith("#")]
+    recorded = {int(row["iteration"]): float(row["z_um"]) for row in csv.DictReader(record)}
+    scene = lineage / "obstacle.toml"
+    assert program("import", lineage / "obstacle_params.xml", "-o", scene, "--coupling", "lineage").returncode == 0
+    run = program("run", scene, "-o", lineage / "out", "--quiet", "--set", "run.steps=%d" % steps,
+                  "--set", "output.cells=false")
+    assert run.returncode == 0, run.stderr
+    with open(lineage / "out" / "cells.csv") as table:
+        ours = {int(row["step"]): float(row["centre_z_um"]) for row in csv.DictReader(table)}
+    compared = sorted(set(recorded) & set(ours))
+    assert compared[-1] > 0.97 * steps and len(compared) > 40
+    assert max(abs(recorded[i] - ours[i]) for i in compared) < 0.25
+    assert max(abs(recorded[i] - ours[i]) for i in compared if i <= 1000) < 0.1
