@@ -7,6 +7,7 @@
 #include "checkpoint/checkpoint_file.h"
 #include "checkpoint/checkpoint_header.h"
 #include "communicator/serial_communicator.h"
+#include "crowd.h"
 #include "folder_of_rank_zero.h"
 #include "mpi_environment.h"
 #include "scratch_folder.h"
@@ -14,25 +15,6 @@
 
 namespace npfem::flow {
 namespace {
-
-/// Cells under tension across the corners of any split; the body force carries them from block to block.
-flow::Setup scene(DomainKind kind, CouplingScheme scheme, int every) {
-  flow::Setup setup = capsules::fluid(kind, {17, 13, 15}, 0.9);
-  setup.domain.plate_speed = 0.24;
-  setup.domain.tube_radius = 6.4;
-  setup.body_force = kind == DomainKind::periodic_box ? Vec3{9e-4, 7e-4, 1e-3} : Vec3{2e-4, 0, 3e-4};
-  setup.start_developed = kind != DomainKind::tube;
-  setup.coupling = {scheme, 4, every};
-  setup.contact.cells = {1.5, 2e-3};
-  setup.contact.walls = {1.5, 2e-3};
-  setup.types = {capsules::inflated(capsules::capsule("sphere", 2, 2.6, capsules::neo_hookean(0.02)), 1.03),
-                 capsules::capsule("icosphere", 1, 1.8, capsules::skalak(0.02, 2))};
-  capsules::place(setup, 0, {8.4, 9.2, 7.4});
-  capsules::place(setup, 1, {8.1, 6.4, 0.3});
-  capsules::place(setup, 0, {8.6, 3.8, 7.6});
-  capsules::place(setup, 1, {8.5, 6.6, 11.4});
-  return setup;
-}
 
 void advance(Simulation& simulation, int steps) {
   for (int i = 0; i < steps; ++i) simulation.step();
@@ -96,20 +78,20 @@ void expect_same_as_straight(const flow::Setup& setup, int first, int second, in
 }
 
 TEST(Continuation, OfAShearBox) {
-  expect_same_as_straight(scene(DomainKind::shear_box, CouplingScheme::implicit, 1), 20, 20, 20);
+  expect_same_as_straight(capsules::crowd(DomainKind::shear_box, CouplingScheme::implicit, 1), 20, 20, 20);
 }
 
 TEST(Continuation, BetweenTwoStepsOfTheCells) {
-  expect_same_as_straight(scene(DomainKind::periodic_box, CouplingScheme::implicit, 2), 21, 10, 20);
-  expect_same_as_straight(scene(DomainKind::tube, CouplingScheme::implicit, 3), 10, 10, 1);
+  expect_same_as_straight(capsules::crowd(DomainKind::periodic_box, CouplingScheme::implicit, 2), 21, 10, 20);
+  expect_same_as_straight(capsules::crowd(DomainKind::tube, CouplingScheme::implicit, 3), 10, 10, 1);
 }
 
 TEST(Continuation, OfTheExplicitCoupling) {
-  expect_same_as_straight(scene(DomainKind::periodic_box, CouplingScheme::peskin, 2), 31, 9, 12);
+  expect_same_as_straight(capsules::crowd(DomainKind::periodic_box, CouplingScheme::peskin, 2), 31, 9, 12);
 }
 
 TEST(Continuation, OfTheCouplingOfTheLineage) {
-  flow::Setup setup = scene(DomainKind::periodic_box, CouplingScheme::lineage, 2);
+  flow::Setup setup = capsules::crowd(DomainKind::periodic_box, CouplingScheme::lineage, 2);
   setup.types = {
       capsules::capsule("sphere", 2, 2.6, capsules::neo_hookean(0.02) + "membrane_density = \"1.5 fg/um2\"\n"),
       capsules::capsule("icosphere", 1, 1.8, capsules::skalak(0.02, 2) + "membrane_density = \"1.5 fg/um2\"\n")};
@@ -118,14 +100,14 @@ TEST(Continuation, OfTheCouplingOfTheLineage) {
 
 TEST(Continuation, OfAViscosityInside) {
   for (const CouplingScheme scheme : {CouplingScheme::implicit, CouplingScheme::peskin}) {
-    flow::Setup setup = scene(DomainKind::periodic_box, scheme, 3);
+    flow::Setup setup = capsules::crowd(DomainKind::periodic_box, scheme, 3);
     setup.types[0].interior_viscosity_ratio = 5;
     expect_same_as_straight(setup, 31, 7, 6);
   }
 }
 
 TEST(Continuation, OfAFluidAlone) {
-  flow::Setup setup = scene(DomainKind::tube, CouplingScheme::implicit, 1);
+  flow::Setup setup = capsules::crowd(DomainKind::tube, CouplingScheme::implicit, 1);
   setup.cells.clear();
   expect_same_as_straight(setup, 7, 5, 5);
 }
@@ -133,7 +115,7 @@ TEST(Continuation, OfAFluidAlone) {
 TEST(Continuation, WhatIsInTheFileDoesNotDependOnTheRanks) {
   const ScratchFolder own("canonical");
   const auto folder = folder_of_rank_zero(own);
-  const flow::Setup setup = scene(DomainKind::shear_box, CouplingScheme::implicit, 2);
+  const flow::Setup setup = capsules::crowd(DomainKind::shear_box, CouplingScheme::implicit, 2);
   SerialCommunicator self;
   Simulation alone(setup, self);
   Simulation shared(setup, world());
@@ -157,7 +139,7 @@ TEST(Continuation, WhatIsInTheFileDoesNotDependOnTheRanks) {
 TEST(Continuation, NeedsTheSameGeometryAndCells) {
   const ScratchFolder own("another");
   const auto folder = folder_of_rank_zero(own);
-  const flow::Setup setup = scene(DomainKind::tube, CouplingScheme::implicit, 1);
+  const flow::Setup setup = capsules::crowd(DomainKind::tube, CouplingScheme::implicit, 1);
   Simulation simulation(setup, world());
   save(simulation, world(), folder / "tube.npfem");
   flow::Setup narrower = setup;
@@ -167,7 +149,7 @@ TEST(Continuation, NeedsTheSameGeometryAndCells) {
   fewer.cells.pop_back();
   EXPECT_THROW(continued(fewer, world(), folder / "tube.npfem"), std::runtime_error);
   flow::Setup exchanged = setup;
-  std::swap(exchanged.cells[0], exchanged.cells[1]);
+  std::swap(exchanged.cells[1], exchanged.cells[2]);  // of two types
   EXPECT_THROW(continued(exchanged, world(), folder / "tube.npfem"), std::runtime_error);
   world().barrier();
 }

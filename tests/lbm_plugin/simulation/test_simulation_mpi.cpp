@@ -6,32 +6,12 @@
 
 #include "capsules.h"
 #include "communicator/serial_communicator.h"
+#include "crowd.h"
 #include "mpi_environment.h"
 #include "simulation/simulation.h"
 
 namespace npfem::flow {
 namespace {
-
-/// Cells across faces, edges and corners of any split, in contact; in the periodic box the body force carries them
-/// through several blocks.
-flow::Setup scene(DomainKind kind, CouplingScheme scheme, int every) {
-  flow::Setup setup = capsules::fluid(kind, {17, 13, 15}, 0.9);
-  setup.domain.plate_speed = 0.24;
-  setup.domain.tube_radius = 6.4;
-  setup.body_force = kind == DomainKind::periodic_box ? Vec3{9e-4, 7e-4, 1e-3} : Vec3{2e-4, 0, 3e-4};
-  setup.start_developed = kind != DomainKind::tube;
-  setup.coupling = {scheme, 4, every};
-  setup.contact.cells = {1.5, 2e-3};
-  setup.contact.walls = {1.5, 2e-3};
-  setup.types = {capsules::inflated(capsules::capsule("sphere", 2, 2.6, capsules::neo_hookean(0.02)), 1.03),
-                 capsules::capsule("icosphere", 1, 1.8, capsules::skalak(0.02, 2))};
-  capsules::place(setup, 0, {8.4, 9.2, 7.4});
-  capsules::place(setup, 0, {8.6, 3.8, 7.6});
-  capsules::place(setup, 1, {8.1, 6.4, 0.3});
-  capsules::place(setup, 1, {8.5, 6.6, 11.4});
-  if (kind != DomainKind::tube) capsules::place(setup, 0, {0.1, 6.5, 3.9});
-  return setup;
-}
 
 std::set<int> ids_of(const Simulation& simulation) {
   std::set<int> ids;
@@ -72,30 +52,30 @@ void expect_same_as_alone(const flow::Setup& setup, int steps, bool expect_migra
 }
 
 TEST(SameBits, InAShearBox) {
-  expect_same_as_alone(scene(DomainKind::shear_box, CouplingScheme::implicit, 1), 120, false);
+  expect_same_as_alone(capsules::crowd(DomainKind::shear_box, CouplingScheme::implicit, 1), 120, false);
 }
 
 TEST(SameBits, InAPeriodicBox) {
-  expect_same_as_alone(scene(DomainKind::periodic_box, CouplingScheme::implicit, 3), 150, true);
+  expect_same_as_alone(capsules::crowd(DomainKind::periodic_box, CouplingScheme::implicit, 3), 150, true);
 }
 
 TEST(SameBits, InATube) {
-  expect_same_as_alone(scene(DomainKind::tube, CouplingScheme::implicit, 1), 80, false);
+  expect_same_as_alone(capsules::crowd(DomainKind::tube, CouplingScheme::implicit, 1), 80, false);
 }
 
 TEST(SameBits, WithTheExplicitCoupling) {
-  expect_same_as_alone(scene(DomainKind::periodic_box, CouplingScheme::peskin, 2), 150, true);
+  expect_same_as_alone(capsules::crowd(DomainKind::periodic_box, CouplingScheme::peskin, 2), 150, true);
 }
 
 TEST(SameBits, WithAViscosityInside) {
-  flow::Setup setup = scene(DomainKind::periodic_box, CouplingScheme::implicit, 2);
+  flow::Setup setup = capsules::crowd(DomainKind::periodic_box, CouplingScheme::implicit, 2);
   setup.types[0].interior_viscosity_ratio = 5;
   expect_same_as_alone(setup, 100, false);
 }
 
 TEST(SameBits, WithTheCouplingOfTheLineage) {
   for (const DomainKind kind : {DomainKind::periodic_box, DomainKind::shear_box}) {
-    flow::Setup setup = scene(kind, CouplingScheme::lineage, 2);
+    flow::Setup setup = capsules::crowd(kind, CouplingScheme::lineage, 2);
     const std::string density = "membrane_density = \"1.5 fg/um2\"\n";
     setup.types = {capsules::capsule("sphere", 2, 2.6, capsules::neo_hookean(0.02) + density),
                    capsules::capsule("icosphere", 1, 1.8, capsules::skalak(0.02, 2) + density)};
@@ -105,7 +85,7 @@ TEST(SameBits, WithTheCouplingOfTheLineage) {
 }
 
 TEST(Failures, AreKnownToEveryRank) {
-  flow::Setup setup = scene(DomainKind::shear_box, CouplingScheme::implicit, 1);
+  flow::Setup setup = capsules::crowd(DomainKind::shear_box, CouplingScheme::implicit, 1);
   setup.types[1].options = {
       {"tolerance", 0.0}, {"residual_bound", 0.0}, {"max_iterations", 1}, {"newton_iterations", 0}};
   Simulation simulation(setup, world());
