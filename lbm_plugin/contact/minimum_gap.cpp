@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "contact/box_pairs.h"
 #include "contact/closed_surface.h"
 #include "geometry/bounds.h"
 #include "geometry/vec3.h"
@@ -32,16 +33,6 @@ Bounds bounds_of(const CellSurface& cell) {
   Bounds bounds;
   for (std::size_t v = 0; v < cell.positions.size() / 3; ++v) bounds.include(vertex(cell, v));
   return bounds;
-}
-
-double distance(const Bounds& a, const Bounds& b, const Vec3& shift_of_b) {
-  Vec3 apart{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double above = b.low[axis] + shift_of_b[axis] - a.high[axis];
-    const double below = a.low[axis] - b.high[axis] - shift_of_b[axis];
-    apart[axis] = std::max({0.0, above, below});
-  }
-  return norm(apart);
 }
 
 std::vector<BoundedTriangle> triangles_of(const CellSurface& cell, const std::vector<std::int32_t>& ids) {
@@ -128,48 +119,63 @@ double nearest(const CellSurface& cell, const Vec3& shift, const Target& target,
   return best;
 }
 
-/// Shifts by whole periods that bring `b` among the nearest images of `a`: those beside the nearest one, too.
-std::vector<Vec3> images(const Domain& domain, const Bounds& a, const Bounds& b) {
-  std::vector<Vec3> shifts{{0, 0, 0}};
-  const Vec3 size = domain.size();
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!domain.periodic()[axis]) continue;
-    const double apart = 0.5 * (a.low[axis] + a.high[axis] - b.low[axis] - b.high[axis]);
-    const double nearest_image = size[axis] * std::round(apart / size[axis]);
-    std::vector<Vec3> more;
-    for (Vec3 shift : shifts) {
-      for (const double step : {0.0, -size[axis], size[axis]}) {
-        shift[axis] = nearest_image + step;
-        more.push_back(shift);
-      }
+/// The gap between the cells of one rank and all others, sought among pairs whose boxes come near each other.
+class GapSearch {
+ public:
+  GapSearch(const Domain& domain, std::span<const CellType> types, std::vector<CellSurface> all,
+            std::span<const CellSurface> own)
+      : domain_(domain), types_(types), all_(std::move(all)), triangles_(all_.size()), box_pairs_(domain) {
+    for (const CellType& type : types) surfaces_.emplace_back(type.shape, type.triangles);
+    std::vector<int> ids;
+    for (const CellSurface& cell : own) ids.push_back(cell.id);
+    std::sort(ids.begin(), ids.end());
+    for (const CellSurface& cell : all_) {
+      boxes_.push_back(bounds_of(cell));
+      is_own_.push_back(std::binary_search(ids.begin(), ids.end(), cell.id));
+      whole_.include(boxes_.back());
     }
-    shifts = std::move(more);
   }
-  return shifts;
-}
 
-struct Candidate {
-  double least;  // um: the gap cannot be smaller
-  std::size_t a, b;
-  Vec3 shift;  // of b
+  /// Farther and farther afield, until nothing that was not looked at can be nearer than what was found. Cells whose
+  /// boxes overlap are always looked at: one may be inside the other, and so below any gap.
+  double run() {
+    if (std::find(is_own_.begin(), is_own_.end(), true) == is_own_.end()) return kInfinity;
+    double best = kInfinity;
+    const double farthest = norm(add(subtract(whole_.high, whole_.low), domain_.size()));
+    for (double reach = 0.1 * norm(subtract(boxes_[0].high, boxes_[0].low));; reach *= 4) {
+      box_pairs_.find(boxes_, reach, pairs_);
+      for (const BoxPair& pair : pairs_) best = nearest_of(pair, best);
+      if (best <= reach || reach > farthest) return best;
+    }
+  }
+
+ private:
+  double nearest_of(const BoxPair& pair, double best) {
+    const auto a = static_cast<std::size_t>(pair.first), b = static_cast<std::size_t>(pair.second);
+    const Vec3 size = domain_.size();
+    const Vec3 shift{pair.image[0] * size[0], pair.image[1] * size[1], pair.image[2] * size[2]};
+    if (is_own_[a]) best = nearest(all_[a], shift, target(b), best);
+    if (is_own_[b]) best = nearest(all_[b], scale(-1, shift), target(a), best);
+    return best;
+  }
+
+  Target target(std::size_t cell) {
+    const auto type = static_cast<std::size_t>(all_[cell].type);
+    if (triangles_[cell].empty()) triangles_[cell] = triangles_of(all_[cell], types_[type].triangles);
+    return {all_[cell], surfaces_[type], boxes_[cell], triangles_[cell]};
+  }
+
+  const Domain& domain_;
+  std::span<const CellType> types_;
+  std::vector<CellSurface> all_;
+  std::vector<ClosedSurface> surfaces_;  // by type
+  std::vector<std::vector<BoundedTriangle>> triangles_;
+  std::vector<Bounds> boxes_;
+  std::vector<bool> is_own_;
+  Bounds whole_;
+  BoxPairs box_pairs_;
+  std::vector<BoxPair> pairs_;
 };
-
-/// Pairs of one own cell and one other, or its own image, the most promising first.
-std::vector<Candidate> candidates(const Domain& domain, std::span<const CellSurface> own,
-                                  std::span<const CellSurface> all, std::span<const Bounds> bounds) {
-  std::vector<Candidate> pairs;
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    const Bounds mine = bounds_of(own[i]);
-    for (std::size_t j = 0; j < all.size(); ++j) {
-      for (const Vec3& shift : images(domain, mine, bounds[j])) {
-        if (all[j].id == own[i].id && shift == Vec3{}) continue;
-        pairs.push_back({distance(mine, bounds[j], shift), i, j, shift});
-      }
-    }
-  }
-  std::sort(pairs.begin(), pairs.end(), [](const Candidate& a, const Candidate& b) { return a.least < b.least; });
-  return pairs;
-}
 
 double smallest(Communicator& communicator, double value) {
   communicator.minimum(std::span(&value, 1));
@@ -204,22 +210,7 @@ std::vector<CellSurface> all_cells(std::span<const CellType> types, Communicator
 
 double smallest_cell_gap(const Domain& domain, std::span<const CellType> types, Communicator& communicator,
                          std::span<const CellSurface> own) {
-  const std::vector<CellSurface> all = all_cells(types, communicator, own);
-  std::vector<ClosedSurface> surfaces;
-  for (const CellType& type : types) surfaces.emplace_back(type.shape, type.triangles);
-  std::vector<Bounds> bounds(all.size());
-  std::transform(all.begin(), all.end(), bounds.begin(), bounds_of);
-  std::vector<std::vector<BoundedTriangle>> triangles(all.size());
-  double best = kInfinity;
-  for (const Candidate& pair : candidates(domain, own, all, bounds)) {
-    // Cells whose bounds overlap may be inside each other, and so below any gap.
-    if (pair.least > 0 && pair.least >= best) break;
-    const CellSurface& other = all[pair.b];
-    const auto type = static_cast<std::size_t>(other.type);
-    if (triangles[pair.b].empty()) triangles[pair.b] = triangles_of(other, types[type].triangles);
-    best = nearest(own[pair.a], pair.shift, {other, surfaces[type], bounds[pair.b], triangles[pair.b]}, best);
-  }
-  return smallest(communicator, best);
+  return smallest(communicator, GapSearch(domain, types, all_cells(types, communicator, own), own).run());
 }
 
 double smallest_wall_gap(const Domain& domain, Communicator& communicator, std::span<const CellSurface> own) {

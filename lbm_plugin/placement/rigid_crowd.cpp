@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
-#include "contact/closed_surface.h"
 #include "geometry/cell_shape.h"
 
 namespace npfem::flow {
@@ -21,11 +21,30 @@ Vec3 vertex(std::span<const double> xyz, std::size_t v) {
   return {xyz[3 * v], xyz[3 * v + 1], xyz[3 * v + 2]};
 }
 
-std::vector<double> areas_of(const CellType& type) {
-  const ClosedSurface surface(type.shape, type.triangles);
-  std::vector<double> areas;
-  for (std::size_t v = 0; v < surface.vertices(); ++v) areas.push_back(surface.area(v));
-  return areas;
+/// The vertices and the middles of the edges: two rims may cross, edge through edge, without a vertex inside either.
+SurfacePoints points_of(const CellType& type) {
+  SurfacePoints points{type.shape, std::vector<double>(type.shape.size() / 3, 0.0)};
+  std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> middle;
+  for (std::size_t t = 0; t < type.triangles.size(); t += 3) {
+    const std::int32_t* const corner = &type.triangles[t];
+    const Vec3 a = vertex(type.shape, static_cast<std::size_t>(corner[0]));
+    const Vec3 b = vertex(type.shape, static_cast<std::size_t>(corner[1]));
+    const Vec3 c = vertex(type.shape, static_cast<std::size_t>(corner[2]));
+    const double sixth = norm(cross(subtract(b, a), subtract(c, a))) / 12;
+    for (std::size_t side = 0; side < 3; ++side) {
+      const auto [first, second] = std::minmax(corner[side], corner[(side + 1) % 3]);
+      const auto [entry, is_new] = middle.try_emplace({first, second}, points.area.size());
+      if (is_new) {
+        const Vec3 at = scale(0.5, add(vertex(type.shape, static_cast<std::size_t>(first)),
+                                       vertex(type.shape, static_cast<std::size_t>(second))));
+        points.xyz.insert(points.xyz.end(), at.begin(), at.end());
+        points.area.push_back(0);
+      }
+      points.area[static_cast<std::size_t>(corner[side])] += sixth;
+      points.area[entry->second] += sixth;
+    }
+  }
+  return points;
 }
 
 }  // namespace
@@ -45,15 +64,15 @@ RigidCrowd::RigidCrowd(const Domain& domain, std::span<const CellType> types, st
       box.include(vertex(type.shape, v));
       radius = std::max(radius, norm(vertex(type.shape, v)));
     }
-    std::vector<double> areas = areas_of(type);
-    for (const double area : areas) whole_area += area;
+    SurfacePoints points = points_of(type);
+    for (const double area : points.area) whole_area += area;
     const Vec3 extent = subtract(box.high, box.low);
     const double volume = enclosed_volume(type.shape, type.triangles);
     const double ball = std::cbrt(0.75 * volume / std::numbers::pi);
     // The table must tell the depth of what is deep inside.
     const double band = std::max(gap, 0.5 * std::min({extent[0], extent[1], extent[2]}));
-    shapes_.push_back({type.shape, std::move(areas), DistanceTable(type.shape, type.triangles, band), whole_area,
-                       volume, radius, ball, 0.5 * std::min({extent[0], extent[1], extent[2]})});
+    shapes_.push_back({type.shape.size() / 3, std::move(points), DistanceTable(type.shape, type.triangles, band),
+                       whole_area, volume, radius, ball, 0.5 * std::min({extent[0], extent[1], extent[2]})});
   }
   strew(counts, seed);
 }
@@ -112,21 +131,27 @@ void RigidCrowd::part_centres() {
 }
 
 std::vector<double> RigidCrowd::positions(std::size_t cell) const {
-  const std::span<const double> xyz = shape(cell).xyz;
+  std::vector<double> placed = points_of_cell(cell);
+  placed.resize(3 * shape(cell).vertices);
+  return placed;
+}
+
+std::vector<double> RigidCrowd::points_of_cell(std::size_t cell) const {
+  const std::vector<double>& xyz = shape(cell).points.xyz;
   std::vector<double> placed(xyz.size());
-  for (std::size_t v = 0; v < xyz.size() / 3; ++v) {
-    const Vec3 at = add(cells_[cell].centre, rotate(cells_[cell].rotation, vertex(xyz, v)));
-    std::copy(at.begin(), at.end(), placed.begin() + static_cast<std::ptrdiff_t>(3 * v));
+  for (std::size_t p = 0; p < xyz.size() / 3; ++p) {
+    const Vec3 at = add(cells_[cell].centre, rotate(cells_[cell].rotation, vertex(xyz, p)));
+    std::copy(at.begin(), at.end(), placed.begin() + static_cast<std::ptrdiff_t>(3 * p));
   }
   return placed;
 }
 
-void RigidCrowd::place_vertices() {
+void RigidCrowd::place_points() {
   const auto count = static_cast<int>(cells_.size());
 #pragma omp parallel for schedule(static)
   for (int n = 0; n < count; ++n) {
     const auto c = static_cast<std::size_t>(n);
-    xyz_[c] = positions(c);
+    xyz_[c] = points_of_cell(c);
     boxes_[c] = {};
     for (std::size_t v = 0; v < xyz_[c].size() / 3; ++v) boxes_[c].include(vertex(xyz_[c], v));
   }
@@ -134,7 +159,7 @@ void RigidCrowd::place_vertices() {
 
 /// Pairs in parallel, their sums one after the other: the same bits on any number of threads.
 void RigidCrowd::find_loads() {
-  place_vertices();
+  place_points();
   box_pairs_.find(boxes_, gap_, pairs_);
   pair_loads_.resize(pairs_.size());
   const auto count = static_cast<int>(pairs_.size());
@@ -167,7 +192,7 @@ RigidCrowd::PairLoad RigidCrowd::load_of(const BoxPair& pair) const {
   return sums;
 }
 
-/// Springs from the vertices of a to the surface of b, which is moved by `shift`.
+/// Springs from the points of a to the surface of b, which is moved by `shift`.
 void RigidCrowd::push(std::size_t a, std::size_t b, const Vec3& shift, Load& on_a, Load& on_b, PairLoad& sums) const {
   const Shape &mine = shape(a), &other = shape(b);
   const double h = 0.02 * other.radius;  // for the slope of the table
@@ -175,7 +200,7 @@ void RigidCrowd::push(std::size_t a, std::size_t b, const Vec3& shift, Load& on_
   const Vec3 centre = add(cells_[b].centre, shift);
   const Vec3 apart = subtract(cells_[a].centre, centre);
   const Vec3 away = norm(apart) > 0 ? scale(1 / norm(apart), apart) : Vec3{0, 0, 1};
-  for (std::size_t v = 0; v < mine.area.size(); ++v) {
+  for (std::size_t v = 0; v < mine.points.area.size(); ++v) {
     const Vec3 at = vertex(xyz_[a], v);
     if (!box.is_near({at, at}, gap_)) continue;
     const Vec3 inside = rotate_back(cells_[b].rotation, subtract(at, centre));
@@ -190,10 +215,10 @@ void RigidCrowd::push(std::size_t a, std::size_t b, const Vec3& shift, Load& on_
     }
     const double deep = std::clamp((missing - gap_) / (0.5 * other.half_thickness), 0.0, 1.0);
     const Vec3 outward = add(scale(1 - deep, rotate(cells_[b].rotation, slope)), scale(deep, away));
-    const Vec3 force = scale(mine.area[v] * missing, outward);
+    const Vec3 force = scale(mine.points.area[v] * missing, outward);
     on_a.add(force, subtract(at, cells_[a].centre));
     on_b.add(scale(-1, force), subtract(at, centre));
-    sums.energy += 0.5 * mine.area[v] * missing * missing;
+    sums.energy += 0.5 * mine.points.area[v] * missing * missing;
     sums.deepest = std::max(sums.deepest, missing - gap_);
   }
 }
@@ -201,13 +226,13 @@ void RigidCrowd::push(std::size_t a, std::size_t b, const Vec3& shift, Load& on_
 void RigidCrowd::push_from_wall(std::size_t cell) {
   const Shape& its = shape(cell);
   if (!(domain_.wall_distance(cells_[cell].centre).distance < its.radius + gap_)) return;
-  for (std::size_t v = 0; v < its.area.size(); ++v) {
+  for (std::size_t v = 0; v < its.points.area.size(); ++v) {
     const Vec3 at = vertex(xyz_[cell], v);
     const WallDistance wall = domain_.wall_distance(at);
     const double missing = gap_ - wall.distance;
     if (!(missing > 0)) continue;
-    loads_[cell].add(scale(its.area[v] * missing, wall.normal), subtract(at, cells_[cell].centre));
-    energy_ += 0.5 * its.area[v] * missing * missing;
+    loads_[cell].add(scale(its.points.area[v] * missing, wall.normal), subtract(at, cells_[cell].centre));
+    energy_ += 0.5 * its.points.area[v] * missing * missing;
     deepest_ = std::max(deepest_, missing - gap_);
   }
 }

@@ -13,15 +13,21 @@
 
 namespace npfem::flow {
 
+/// Points of a surface, and how much of it belongs to each.
+struct SurfacePoints {
+  std::vector<double> xyz;   // um, in the frame of the cell
+  std::vector<double> area;  // um2
+};
+
 /// Rigid cells of full size, strewn at random through each other, that push each other apart: the first phase of
 /// packing, in which overlaps are far too deep for membranes.
 ///
-/// A vertex nearer to another surface than `gap`, or inside it, is pushed along the gradient of the signed distance to
-/// that surface (from a table), with a spring per area; walls push in the same way. The deeper it is inside, the more
-/// it is pushed away from the middle of the other cell instead: cells that are skewered on each other, and whose
-/// nearest ways out point to both sides, come apart that way. The cells then go down the slope of
-/// the energy of all springs with inertia that is switched off whenever it leads uphill: FIRE (Bitzek et al., Phys.
-/// Rev. Lett. 97 (2006) 170201), which finds its way through a crowd faster than steepest descent.
+/// A vertex or middle of an edge nearer to another surface than `gap`, or inside it, is pushed along the gradient of
+/// the signed distance to that surface (from a table), with a spring per area; walls push in the same way. The deeper
+/// it is inside, the more it is pushed away from the middle of the other cell instead: cells that are skewered on each
+/// other, and whose nearest ways out point to both sides, come apart that way. The cells then go down the slope of the
+/// energy of all springs with inertia that is switched off whenever it leads uphill: FIRE (Bitzek et al., Phys. Rev.
+/// Lett. 97 (2006) 170201), which finds its way through a crowd faster than steepest descent.
 class RigidCrowd {
  public:
   /// `counts` cells of each type. Bits depend on the seed alone.
@@ -35,7 +41,7 @@ class RigidCrowd {
   void step();
 
   double energy() const { return energy_; }    ///< of the springs at the last step, um4
-  double deepest() const { return deepest_; }  ///< overlap of a vertex with a cell or wall at the last step, um
+  double deepest() const { return deepest_; }  ///< overlap of a point with a cell or wall at the last step, um
   const std::vector<RigidCell>& cells() const { return cells_; }
   /// Volume (um3) of the cells that are left when, at the last step, the one with the most overlaps is taken out until
   /// there are none.
@@ -45,8 +51,8 @@ class RigidCrowd {
 
  private:
   struct Shape {
-    std::span<const double> xyz;
-    std::vector<double> area;  // by vertex, um2
+    std::size_t vertices;  // the first of the points
+    SurfacePoints points;
     DistanceTable distance;
     double whole_area, volume, radius, ball_radius, half_thickness;  // um2, um3, um
   };
@@ -62,7 +68,8 @@ class RigidCrowd {
   };
 
   void strew(std::span<const int> counts, std::uint64_t seed);
-  void place_vertices();
+  std::vector<double> points_of_cell(std::size_t cell) const;
+  void place_points();
   void find_loads();
   PairLoad load_of(const BoxPair& pair) const;
   void push(std::size_t a, std::size_t b, const Vec3& shift, Load& on_a, Load& on_b, PairLoad& sums) const;
@@ -74,7 +81,7 @@ class RigidCrowd {
   double gap_;
   std::vector<Shape> shapes_;
   std::vector<RigidCell> cells_;
-  std::vector<std::vector<double>> xyz_;  // by cell, where they are
+  std::vector<std::vector<double>> xyz_;  // by cell, where its points are
   std::vector<Bounds> boxes_;
   BoxPairs box_pairs_;
   std::vector<BoxPair> pairs_;

@@ -55,9 +55,9 @@ def test_says_why_it_cannot(program, crowded, tmp_path, change, message):
 def test_an_interrupt_writes_nothing(crowded, tmp_path):
     process = subprocess.Popen([os.environ["NPFEM_PROGRAM"], "pack", str(crowded), "-o", str(tmp_path / "packed.toml"),
                                 "--set", "cells[0].haematocrit=0.75",
-                                "--set", 'domain.size=["40 um", "40 um", "40 um"]'],
+                                "--set", 'domain.size=["80 um", "80 um", "80 um"]'],
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    while "overlap" not in process.stderr.readline():  # the first line of progress: it is at work
+    while "overlap" not in process.stderr.readline():  # the first line of progress: at work for many seconds more
         time.sleep(0.01)
     process.send_signal(signal.SIGINT)
     _, errors = process.communicate(timeout=60)

@@ -98,6 +98,19 @@ TEST(PackCells, SettlesDeformableCellsWhereRigidOnesJam) {
   EXPECT_GT(packed.soft_steps, 1);
 }
 
+// Two rims that cross edge through edge, no vertex inside either, are no overlap to contacts between vertices and
+// triangles: only their own noise parts them.
+TEST(PackCells, HandsNoRimsThatCrossToTheSoftCells) {
+  const std::vector<CellType> types{type_of("rbc", 2)};
+  const Domain domain = domain_of(DomainKind::shear_box, {120, 120, 120});
+  PackRequest request;
+  request.counts = {800};  // 35 %
+  request.seed = 5;
+  const PackedCells packed = pack_cells(domain, types, request);
+  expect_packed(domain, types, request, packed);
+  EXPECT_LE(packed.soft_steps, 5);
+}
+
 TEST(PackCells, SaysHowFarItGotWhereThereIsNoRoom) {
   const std::vector<CellType> types{type_of("rbc", 2)};
   const Domain domain = domain_of(DomainKind::periodic_box, {24, 24, 24});
