@@ -43,8 +43,11 @@ fs::path find_program(const std::string& name) {
   std::exit(failed);
 }
 
-/// Where the Python package is, in an installation or beside the source; and the library it is to load.
+/// Where the Python package is, in an installation or beside the source; the library it is to load; this program and its commit.
 void show_python_the_way() {
+  std::error_code error;
+  setenv("NPFEM_COMMIT", NPFEM_COMMIT, 0);
+  setenv("NPFEM_PROGRAM", fs::read_symlink("/proc/self/exe", error).c_str(), 0);
   const fs::path installed = folder_of_program() / ".." / NPFEM_LIBRARY_FOLDER / "npfem-python";
   std::string path = fs::exists(installed) ? installed.string() : NPFEM_PYTHON_SOURCE;
   if (const char* present = std::getenv("PYTHONPATH"); present && *present) path.append(":").append(present);
@@ -61,6 +64,7 @@ const std::vector<PythonVerb>& python_verbs() {
   static const std::vector<PythonVerb> verbs{
       {"stretch", "stretch one cell with optical tweezers and plot the curve (Python)"},
       {"preview", "draw a picture of a run (Python)"},
+      {"report", "run the validation cases and write their page (Python)"},
   };
   return verbs;
 }

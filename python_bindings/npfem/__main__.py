@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MPL-2.0
-"""The verbs of the program that live in Python: `npfem stretch`, `npfem preview`; also `python -m npfem ...`.
+"""The verbs of the program that live in Python: `npfem stretch`, `npfem preview`, `npfem report`; also `python -m npfem ...`.
 
 Exit codes: 0 done, 1 failed, 2 bad input.
 """
 import argparse
 import sys
 
-from . import preview_verb, stretch_verb
+from . import preview_verb, report_verb, stretch_verb
 from ._library import Error
 
 OK, FAILED, BAD_INPUT = 0, 1, 2
@@ -19,7 +19,7 @@ def parser():
     """The command line: one sub-command per verb."""
     top = argparse.ArgumentParser(prog="npfem", description="Deformable blood cells: tools written in Python.")
     verbs = top.add_subparsers(dest="verb", metavar="verb", required=True)
-    for verb in (stretch_verb, preview_verb):
+    for verb in (stretch_verb, preview_verb, report_verb):
         verb.add_to(verbs)
     return top
 

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: MPL-2.0
+"""The program, as a validation case uses it: a scene run into a folder, a probe that prints numbers."""
+import json
+import os
+import shutil
+import subprocess
+
+
+class NotHere(Exception):
+    """What a case needs is not in this installation."""
+
+
+class RunFailed(Exception):
+    """The program did not do what the case asked of it."""
+
+
+def _program():
+    named = os.environ.get("NPFEM_PROGRAM")
+    found = named or shutil.which("npfem")
+    if not found:
+        raise NotHere("the program npfem is not on the PATH; name it in NPFEM_PROGRAM")
+    return found
+
+
+def _last_lines(text, count=5):
+    return "\n".join(text.strip().splitlines()[-count:])
+
+
+def run_scene(report, name, scene, settings=(), accept=(0,)):
+    """Runs a scene; returns its output folder.
+
+    `scene`: its text; files that it names lie in `report.folder`. `settings`: more lines for --set. A run that ends with
+    an exit code not in `accept` raises RunFailed.
+    """
+    path = os.path.join(report.folder, name + ".toml")
+    with open(path, "w", encoding="utf-8") as stream:
+        stream.write(scene)
+    folder = os.path.join(report.folder, name)
+    command = [_program(), "run", path, "-o", folder, "--overwrite", "--quiet", "--json"]
+    for setting in settings:
+        command += ["--set", setting]
+    report.say("%-4s runs %s" % (report.case.id, name))
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+    if done.returncode not in accept:
+        raise RunFailed("npfem run %s ended with exit code %d: %s" % (path, done.returncode, _last_lines(done.stderr)))
+    return folder
+
+
+def summary_of(folder):
+    """The summary of a run."""
+    with open(os.path.join(folder, "summary.json"), encoding="utf-8") as stream:
+        return json.load(stream)
+
+
+def probe(report, name, *arguments):
+    """The JSON that the program `validate_<name>` prints, which is built with the tests and sees the fluid from inside."""
+    path = os.path.join(os.path.dirname(os.path.realpath(_program())), "validate_" + name)
+    if not os.access(path, os.X_OK):
+        raise NotHere("%s is built with the tests only (cmake --build --preset release)" % path)
+    report.say("%-4s asks validate_%s %s" % (report.case.id, name, " ".join(str(a) for a in arguments)))
+    done = subprocess.run([path] + [str(argument) for argument in arguments], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True, check=False)
+    if done.returncode != 0:
+        raise RunFailed("%s ended with exit code %d: %s" % (path, done.returncode, _last_lines(done.stderr)))
+    return json.loads(done.stdout)
