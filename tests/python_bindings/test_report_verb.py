@@ -117,3 +117,11 @@ def test_a_page_escapes_what_a_case_says(tmp_path):
                  "results": [dataclasses.asdict(result) for result in report.results]}], stream, "machine", "version")
     page = stream.getvalue()
     assert "&lt;b&gt;bold" in page and "<b>bold" not in page and "a &lt; b" in page and "<svg" in page
+
+
+def test_scenes_as_dictionaries():
+    from npfem.validation.scene_text import quantities, quantity, toml
+    text = toml({"schema_version": 1, "domain": {"dx": quantity(0.1, "um"), "size": quantities((1, 2), "um")},
+                 "cells": [{"name": "a", "on": True, "positions": [{"centre": ["0.0 um"]}]}, {"name": 'b"', "count": 3}]})
+    assert text == ('schema_version = 1\n\n[domain]\ndx = "0.1 um"\nsize = ["1.0 um", "2.0 um"]\n\n[[cells]]\nname = "a"\n'
+                    'on = true\npositions = [{ centre = ["0.0 um"] }]\n\n[[cells]]\nname = "b\\""\ncount = 3\n')

@@ -5,6 +5,8 @@ import os
 import shutil
 import subprocess
 
+from .scene_text import toml
+
 
 class NotHere(Exception):
     """What a case needs is not in this installation."""
@@ -26,15 +28,26 @@ def _last_lines(text, count=5):
     return "\n".join(text.strip().splitlines()[-count:])
 
 
+def run_program(report, *arguments):
+    """Runs the program; returns what it prints. RunFailed where it ends with another exit code than 0."""
+    report.say("%-4s npfem %s" % (report.case.id, " ".join(str(argument) for argument in arguments)))
+    done = subprocess.run([_program()] + [str(argument) for argument in arguments], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True, check=False)
+    if done.returncode != 0:
+        raise RunFailed("npfem %s ended with exit code %d: %s" % (arguments[0], done.returncode,
+                                                                _last_lines(done.stderr)))
+    return done.stdout
+
+
 def run_scene(report, name, scene, settings=(), accept=(0,)):
     """Runs a scene; returns its output folder.
 
-    `scene`: its text; files that it names lie in `report.folder`. `settings`: more lines for --set. A run that ends with
+    `scene`: its text, or its tables as a dictionary; files that it names lie in `report.folder`. `settings`: more lines for --set. A run that ends with
     an exit code not in `accept` raises RunFailed.
     """
     path = os.path.join(report.folder, name + ".toml")
     with open(path, "w", encoding="utf-8") as stream:
-        stream.write(scene)
+        stream.write(scene if isinstance(scene, str) else toml(scene))
     folder = os.path.join(report.folder, name)
     command = [_program(), "run", path, "-o", folder, "--overwrite", "--quiet", "--json"]
     for setting in settings:

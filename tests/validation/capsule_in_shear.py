@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: MPL-2.0
+"""A neo-Hookean capsule, a sphere at rest, in simple shear: deformation and inclination at three capillary numbers.
+
+The core benchmark of the coupling. Radius 8 nodes, box 10 radii, Re = 0.1, 642 vertices, tau = 2. Held against two
+things: published curves, and a boundary integral computed beside it (npfem.validation.boundary_integral), which shares
+neither fluid nor membrane code with the coupled solver and has neither walls nor inertia nor a lattice.
+
+The two yardsticks disagree: at Ca = 0.3 and 0.6 the boundary integral, which meets linear theory within 0.3 % and
+changes by 0.6 % from 162 to 642 vertices, ends at D = 0.400 and 0.529, published curves at 0.381 to 0.392 and 0.495 to
+0.500, though all of them agree within 1.5 % up to gdot t = 1. No kernel, mesh, box or time step moves the coupled result
+there. With Ramanujan & Pozrikidis' thin-shell law instead of the neo-Hookean one the boundary integral gives 0.396 and
+0.521. At small Ca the coupled D is too large because a kernel makes a surface drag like that of a larger sphere: see
+C3.
+
+D: (long - short)/(long + short) of the semi-axes of the ellipsoid with the same second moments; largest and smallest
+distance of a vertex from the centre give 0.397 instead of 0.400 at Ca = 0.3. Ca = mu gdot a / G_s: papers that divide by
+E_s = 3 G_s print a third of it.
+"""
+from npfem.validation import Case, boundary_integral
+from npfem.validation.capsule_scene import shear_capsule
+
+CASE = Case(id="C1", title="Neo-Hookean capsule in shear", tier="nightly", cost_s=400,
+            source="Ramanujan & Pozrikidis, J. Fluid Mech. 361 (1998) 117; Doddi & Bagchi, Int. J. Multiphase Flow 34 "
+                   "(2008) 966; Huet & Wachs, J. Comput. Phys. 492 (2023) 112424; own boundary integral")
+
+# Ca: (end of the run, steps per strain of the boundary integral, D published, by whom, inclination of Huet & Wachs)
+_POINTS = {
+    0.075: (2.5, 250, 0.1524, "Huet & Wachs", 35.8),
+    0.3: (4.0, 100, 0.3844, "Ramanujan & Pozrikidis", 24.9),
+    0.6: (4.0, 100, 0.5002, "Ramanujan & Pozrikidis", 19.8),
+}
+# Huet & Wachs, high resolution: D at gdot t = 0.5, 1, 1.5, 2, 3.
+_TRANSIENT = {0.3: (0.2045, 0.3123, 0.3585, 0.3752, 0.3812), 0.6: (0.2227, 0.3685, 0.4451, 0.4798, 0.4970)}
+_TIMES = (0.5, 1.0, 1.5, 2.0, 3.0)
+
+_REFERENCE_LOW = "an independent boundary integral gives the D computed here, not the published one; cause not known"
+_LARGER_SPHERE = "the kernel of 4 points adds 0.46 dx to the radius that the flow sees (I2, C3)"
+
+
+def run(report):
+    """Three capillary numbers, coupled and by the boundary integral."""
+    plot = report.plot("Neo-Hookean capsule in shear, lambda = 1", "gdot t", "Taylor's D")
+    for capillary, (strain, steps, published, author, angle) in _POINTS.items():
+        name = "Ca = %g" % capillary
+        yardstick = list(boundary_integral.Capsule(capillary).shear(strain, 1 / steps))
+        ours = shear_capsule(report, "ca%g" % capillary, capillary, strain, box=(10, 10, 10))
+        steady = ours.mean(ours.deformation, 0.9 * strain)
+        unbounded = yardstick[-1][1]
+        report.compare("D, %s, against the boundary integral" % name, steady, unbounded, relative=0.03,
+                       known_failure=_LARGER_SPHERE if capillary < 0.1 else "")
+        report.compare("D, %s, against %s" % (name, author), steady, published, relative=0.03,
+                       known_failure=_LARGER_SPHERE if capillary < 0.1 else _REFERENCE_LOW)
+        report.compare("inclination, %s, against Huet & Wachs" % name, ours.mean(ours.inclination, 0.9 * strain), angle,
+                       absolute=2, unit="deg")
+        if capillary in _TRANSIENT:
+            report.compare("D at gdot t = 1, %s, against Huet & Wachs" % name, ours.deformation[ours.at(1)],
+                           _TRANSIENT[capillary][1], relative=0.05)
+            report.curve(plot, "%s, Huet & Wachs" % name, _TIMES, _TRANSIENT[capillary], points=True)
+        report.curve(plot, "%s, coupled" % name, ours.strain, ours.deformation)
+        report.curve(plot, "%s, boundary integral" % name, [row[0] for row in yardstick], [row[1] for row in yardstick])
