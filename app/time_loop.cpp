@@ -150,11 +150,25 @@ void TimeLoop::note(const std::string& failure) {
   }
 }
 
+/// "3 cells (2 rbc, 1 platelet; 270.1 um3) have left through openings"
+void print_departures(const flow::Summary& s) {
+  std::string types;
+  double volume = 0;
+  for (std::size_t type = 0; type < s.cell_types.size(); ++type) {
+    volume += s.volume_left_by_type[type];
+    if (s.cells_left_by_type[type] == 0) continue;
+    types += (types.empty() ? "" : ", ") + std::to_string(s.cells_left_by_type[type]) + " " + s.cell_types[type];
+  }
+  std::printf("%d cell%s (%s; %.4g um3) %s left through openings\n", s.cells_left, s.cells_left == 1 ? "" : "s",
+              types.c_str(), volume, s.cells_left == 1 ? "has" : "have");
+}
+
 void print(const flow::Summary& s, const std::string& folder) {
   std::printf("%lld steps, %.6g us, %.1f s: %.3g MLUPS, %.4g cell-steps/s\n", static_cast<long long>(s.steps),
               s.time_us, s.wall_s, s.mlups, s.cell_steps_per_s);
   std::printf("%d cells, haematocrit %.4f, least gap ", s.cells, s.haematocrit);
   std::printf(std::isfinite(s.minimum_gap_um) ? "%.3g um\n" : "none\n", s.minimum_gap_um);
+  if (s.cells_left > 0) print_departures(s);
   std::printf("errors: momentum %.2g, volume %.2g, residual %.2g pN\n", s.momentum_error, s.volume_error,
               s.worst_residual_pN);
   std::printf("state %016llx, output in %s\n", static_cast<unsigned long long>(s.state_hash), folder.c_str());

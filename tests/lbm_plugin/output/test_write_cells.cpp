@@ -43,7 +43,7 @@ std::string written(const std::filesystem::path& path, bool into_box) {
   for (int id = 0; id < cells; ++id) {
     if (id * world().size() / cells == world().rank()) local.push_back(cell_of(setup, id));
   }
-  write_cells(world(), path, 12.5, cell_arrays(setup, local, into_box));
+  write_cells(world(), path, 12.5, cell_arrays(setup, {}, local, into_box));
   world().barrier();
   return content_of(path);
 }
