@@ -70,9 +70,7 @@ class TimeLoop {
 Progress::Work TimeLoop::work() const {
   double nodes = static_cast<double>(run_.simulation.lattice().nodes().fluid_nodes());
   session_.communicator.sum(std::span(&nodes, 1));
-  const int every = run_.scene.setup.coupling.steps_per_solve;
-  return {run_.scene.steps, nodes, static_cast<double>(run_.simulation.cell_count()) / every,
-          run_.resumed_from.value_or(0)};
+  return {run_.scene.steps, nodes, run_.scene.setup.coupling.steps_per_solve, run_.resumed_from.value_or(0)};
 }
 
 End TimeLoop::advance() {
@@ -81,7 +79,7 @@ End TimeLoop::advance() {
   longest_round_ = seconds_since(start);
   steps();
   finish();
-  progress_.finish(run_.simulation.steps_done());
+  progress_.finish(run_.simulation.steps_done(), run_.simulation.cell_count());
   return end_;
 }
 
@@ -95,7 +93,7 @@ void TimeLoop::steps() {
     output_.write_due(simulation);
     longest_round_ = std::max(longest_round_, seconds_since(start));
     if (checkpoints_.due(simulation.steps_done())) note(checkpoints_.save(simulation, wall_s()));
-    progress_.step_done(simulation.steps_done());
+    progress_.step_done(simulation.steps_done(), simulation.cell_count());
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "coupling/cell_population.h"
 #include "geometry/cell_shape.h"
+#include "quantity.h"
 
 namespace npfem::flow {
 namespace {
@@ -52,7 +53,7 @@ std::string starts_in_an_opening(const Setup& setup) {
     const std::optional<Face> face = opening_reached(setup.domain, start_positions(setup.cells[id], type));
     if (!face) continue;
     return "setup: cell " + std::to_string(id) + " (" + type.name + ") starts nearer to the opening " + name_of(*face) +
-           " than " + std::to_string(setup.domain.cells_leave_before_opening()) +
+           " than " + text::format_number(setup.domain.cells_leave_before_opening()) +
            " um, where it would leave at once; move it away from there";
   }
   return "";

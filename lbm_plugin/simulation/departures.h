@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "communicator/communicator.h"
@@ -23,6 +24,8 @@ struct Departure {
   Face face;          ///< of the opening
   Vec3 centre;        ///< centroid of its volume when it left, um
   double volume;      ///< um3
+
+  bool operator==(const Departure&) const = default;
 };
 
 /// The opening that a cell with these vertices (xyz, um) leaves through: one that a vertex is nearer to than
@@ -38,6 +41,9 @@ std::string starts_in_an_opening(const Setup& setup);
 /// of a suspension. Fluid that was in the cell stays, and what the membrane held it with is gone: with the next forces
 /// the fluid holds those of the other cells alone. The forces of a cell on the fluid add up to what acts on it from
 /// outside, so none of the momentum that the audit counts goes with it, but that of mass of its own.
+///
+/// The lineage's coupling, which also spreads at vertices under way between two solves, may touch those nodes by what a
+/// cell moves meanwhile.
 ///
 /// Looked at after the steps in which the cells have moved, before output and checkpoints, which therefore never hold
 /// a cell in the reach of an opening. What leaves, and when, follows from the vertices of each cell alone.

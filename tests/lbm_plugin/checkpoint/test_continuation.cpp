@@ -9,6 +9,7 @@
 #include "communicator/serial_communicator.h"
 #include "crowd.h"
 #include "folder_of_rank_zero.h"
+#include "leaving.h"
 #include "mpi_environment.h"
 #include "scratch_folder.h"
 #include "simulation/simulation.h"
@@ -65,6 +66,9 @@ void expect_same_as_straight(const flow::Setup& setup, int first, int second, in
     EXPECT_LT(last.momentum_error(), 1e-10);
   }
   EXPECT_EQ(last.steps_done(), straight.steps_done());
+  EXPECT_EQ(last.departures(), straight.departures());
+  for (const Departure& d : last.departures()) printf("LEFT %d at %d\n", d.id, (int)d.step);
+  EXPECT_EQ(last.cell_count(), straight.cell_count());
   const auto cells = last.local_cells();
   const auto expected_cells = straight.local_cells();
   ASSERT_EQ(cells.size(), expected_cells.size());
@@ -104,6 +108,13 @@ TEST(Continuation, OfAViscosityInside) {
     setup.types[0].interior_viscosity_ratio = 5;
     expect_same_as_straight(setup, 31, 7, 6);
   }
+}
+
+/// Cells leave before the first stop, while all ranks go on with the run, and after that: none is left.
+TEST(Continuation, WhileCellsLeave) {
+  expect_same_as_straight(capsules::leaving(CouplingScheme::implicit, 1), 30, 40, 50);
+  expect_same_as_straight(capsules::leaving(CouplingScheme::implicit, 3), 30, 40, 50);
+  expect_same_as_straight(capsules::leaving(CouplingScheme::peskin, 2), 30, 40, 50);
 }
 
 TEST(Continuation, OfAFluidAlone) {
