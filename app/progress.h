@@ -13,18 +13,19 @@ class Progress {
   struct Work {
     std::int64_t steps;           ///< of the whole run
     double nodes_per_step;        ///< fluid nodes
-    double cell_steps_per_step;   ///< cells, over the fluid steps per step of the cell solver
+    int steps_per_solve;          ///< fluid steps per step of the cell solver
     std::int64_t first_step = 0;  ///< from which the run is resumed
   };
   Progress(bool shown, const Work& work);
 
-  void step_done(std::int64_t steps_done);
-  void finish(std::int64_t steps_done);
+  /// `cells`: of the whole system, now.
+  void step_done(std::int64_t steps_done, int cells);
+  void finish(std::int64_t steps_done, int cells);
   double seconds() const;
 
  private:
   using Clock = std::chrono::steady_clock;
-  void print(std::int64_t steps_done);
+  void print(std::int64_t steps_done, int cells);
 
   bool shown_;
   bool terminal_;

@@ -2,6 +2,7 @@
 #include "checkpoint/cell_section.h"
 
 #include <bit>
+#include <numeric>
 #include <stdexcept>
 
 namespace npfem::flow {
@@ -24,12 +25,15 @@ int integer_of(Word word) {
   return static_cast<int>(static_cast<std::int64_t>(word));
 }
 
-/// Where the words of each cell begin; one more than there are cells.
-std::vector<std::int64_t> layout_of(const CellPopulation& population, const std::vector<CellStart>& all) {
+/// Where the words of each cell begin; one more than there are cells. One that has left has none.
+std::vector<std::int64_t> layout_of(const CellPopulation& population, const std::vector<CellStart>& all,
+                                    const std::vector<Departure>& departures) {
   std::vector<std::int64_t> begin{0};
   for (const CellStart& cell : all) {
-    begin.push_back(begin.back() + static_cast<std::int64_t>(tag_words + population.pack_length(cell.type)));
+    begin.push_back(static_cast<std::int64_t>(tag_words + population.pack_length(cell.type)));
   }
+  for (const Departure& departure : departures) begin.at(static_cast<std::size_t>(departure.id) + 1) = 0;
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
   return begin;
 }
 
@@ -49,9 +53,9 @@ void add_cell(CellPopulation& population, int id, const std::vector<Word>& words
 }
 
 /// This rank's share, before each cell goes to its owner.
-void read_share(CellPopulation& population, const std::vector<CellStart>& all, CheckpointFile& file,
-                const Communicator& communicator) {
-  const std::vector<std::int64_t> begin = layout_of(population, all);
+void read_share(CellPopulation& population, const std::vector<CellStart>& all, const std::vector<Departure>& departures,
+                CheckpointFile& file, const Communicator& communicator) {
+  const std::vector<std::int64_t> begin = layout_of(population, all, departures);
   if (file.words("cells") != begin.back()) {
     throw std::runtime_error(file.path().string() + ": its cells are not of the types of the scene");
   }
@@ -61,6 +65,7 @@ void read_share(CellPopulation& population, const std::vector<CellStart>& all, C
        id < count * (communicator.rank() + 1) / communicator.size(); ++id) {
     const auto i = static_cast<std::size_t>(id);
     words.resize(static_cast<std::size_t>(begin[i + 1] - begin[i]));
+    if (words.empty()) continue;
     file.read("cells", begin[i], words);
     if (integer_of(words[0]) != all[i].type) {
       throw std::runtime_error(file.path().string() + ": cell " + std::to_string(id) + " changes its type");
@@ -99,9 +104,9 @@ std::vector<CellStart> load_placed(CheckpointFile& file) {
   return cells;
 }
 
-void save_cells(const CellPopulation& population, const std::vector<CellStart>& all, CheckpointWriter& file,
-                Communicator& communicator) {
-  const std::vector<std::int64_t> begin = layout_of(population, all);
+void save_cells(const CellPopulation& population, const std::vector<CellStart>& all,
+                const std::vector<Departure>& departures, CheckpointWriter& file, Communicator& communicator) {
+  const std::vector<std::int64_t> begin = layout_of(population, all, departures);
   const auto own = population.cells();
   file.begin_section("cells");
   for (std::size_t next = 0; communicator.any(next < own.size());) {
@@ -117,11 +122,11 @@ void save_cells(const CellPopulation& population, const std::vector<CellStart>& 
   file.end_section();
 }
 
-void load_cells(CellPopulation& population, const std::vector<CellStart>& all, CheckpointFile& file,
-                Communicator& communicator) {
+void load_cells(CellPopulation& population, const std::vector<CellStart>& all, const std::vector<Departure>& departures,
+                CheckpointFile& file, Communicator& communicator) {
   std::string failure;
   try {
-    read_share(population, all, file, communicator);
+    read_share(population, all, departures, file, communicator);
   } catch (const std::exception& error) {
     failure = error.what();
   }

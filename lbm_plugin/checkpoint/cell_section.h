@@ -7,6 +7,7 @@
 #include "checkpoint/checkpoint_file.h"
 #include "communicator/communicator.h"
 #include "coupling/cell_population.h"
+#include "simulation/departures.h"
 #include "simulation/setup.h"
 
 namespace npfem::flow {
@@ -17,13 +18,13 @@ void save_placed(const std::vector<CellStart>& cells, Communicator& communicator
 std::vector<CellStart> load_placed(CheckpointFile& file);
 
 /// Section "cells": type, outcome of the last step and packed state of every cell, in order of ids. Collective as
-/// CheckpointWriter. `all`: the cells of the whole system, by id.
-void save_cells(const CellPopulation& cells, const std::vector<CellStart>& all, CheckpointWriter& file,
-                Communicator& communicator);
+/// CheckpointWriter. `all`: the cells that the system began with, by id; of those that have left there is nothing.
+void save_cells(const CellPopulation& cells, const std::vector<CellStart>& all,
+                const std::vector<Departure>& departures, CheckpointWriter& file, Communicator& communicator);
 
 /// Adds the saved cells to a population that has none; each comes to its owner. Collective; std::runtime_error on every
 /// rank where they cannot be read or do not fit the types.
-void load_cells(CellPopulation& cells, const std::vector<CellStart>& all, CheckpointFile& file,
-                Communicator& communicator);
+void load_cells(CellPopulation& cells, const std::vector<CellStart>& all, const std::vector<Departure>& departures,
+                CheckpointFile& file, Communicator& communicator);
 
 }  // namespace npfem::flow

@@ -48,6 +48,28 @@ Counters counters_from(const Json& json) {
           json.at("fluid_seconds"), json.at("cell_seconds"), json.at("exchange_seconds")};
 }
 
+Json to_json(const std::vector<Departure>& departures) {
+  Json json = Json::array();
+  for (const Departure& d : departures) {
+    json.push_back({{"cell_id", d.id},
+                    {"type", d.type},
+                    {"step", d.step},
+                    {"face", static_cast<int>(d.face)},
+                    {"centre", d.centre},
+                    {"volume", d.volume}});
+  }
+  return json;
+}
+
+std::vector<Departure> departures_from(const Json& json) {
+  std::vector<Departure> departures;
+  for (const Json& d : json) {
+    departures.push_back({d.at("cell_id"), d.at("type"), d.at("step"), static_cast<Face>(d.at("face").get<int>()),
+                          d.at("centre"), d.at("volume")});
+  }
+  return departures;
+}
+
 const std::string* find(const CheckpointHeader::Marks& marks, const std::string& name) {
   const auto found = std::find_if(marks.begin(), marks.end(), [&](const auto& mark) { return mark.first == name; });
   return found == marks.end() ? nullptr : &found->second;
@@ -74,6 +96,7 @@ std::string to_json(const CheckpointHeader& header) {
                   {"types", to_json(header.types)},
                   {"counters", to_json(header.counters)},
                   {"failures", failures},
+                  {"departures", to_json(header.departures)},
                   {"momentum_audit", header.audit}};
   return json.dump();
 }
@@ -93,6 +116,7 @@ CheckpointHeader header_from_json(const std::string& text) {
   for (const Json& f : json.at("failures")) {
     header.failures.push_back({f.at("cell_id"), f.at("type"), f.at("step"), f.at("reason")});
   }
+  header.departures = departures_from(json.at("departures"));
   for (std::size_t i = 0; i < header.audit.size(); ++i) header.audit[i] = number_from(json.at("momentum_audit").at(i));
   return header;
 }

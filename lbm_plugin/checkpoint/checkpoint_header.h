@@ -27,6 +27,7 @@ struct CheckpointHeader {
   double wall_s = 0;  ///< of all jobs of this run so far
   Counters counters;  ///< of the whole system
   std::vector<CellFailure> failures;
+  std::vector<Departure> departures;
   MomentumAudit::Record audit{};
 };
 

@@ -120,6 +120,21 @@ void CellPopulation::sort_cells() {
   }
 }
 
+/// Moves the cells after it one slot down.
+void CellPopulation::remove_slot(int type, int slot) {
+  sorted_ = false;
+  Kind& its = kind(type);
+  its.batch.remove(slot);
+  its.ids.erase(its.ids.begin() + slot);
+  its.outcomes.erase(its.outcomes.begin() + slot);
+}
+
+void CellPopulation::remove(int type, int id) {
+  const std::vector<int>& ids = kind(type).ids;
+  remove_slot(type, static_cast<int>(std::find(ids.begin(), ids.end(), id) - ids.begin()));
+  sort_cells();
+}
+
 int CellPopulation::owner_of(std::span<const double> positions) const {
   Vec3 sum{};
   const std::size_t vertices = positions.size() / 3;
@@ -157,10 +172,7 @@ std::vector<Bytes> CellPopulation::pack_leaving() {
       Bytes& message = messages[static_cast<std::size_t>(owner)];
       append(message, std::span(&tag, 1));
       append<double>(message, its.batch.pack(slot));
-      sorted_ = false;
-      its.batch.remove(slot);
-      its.ids.erase(its.ids.begin() + slot);
-      its.outcomes.erase(its.outcomes.begin() + slot);
+      remove_slot(static_cast<int>(type), slot);
     }
   }
   return messages;

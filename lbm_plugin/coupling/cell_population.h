@@ -50,6 +50,9 @@ class CellPopulation final : public ImmersedSolid {
   /// results: a cell's state moves bit for bit.
   void migrate();
 
+  /// Takes a cell of this rank out for good.
+  void remove(int type, int id);
+
   std::span<const Cell> cells() const { return cells_; }
   std::span<const VertexId> vertices() const override { return vertices_; }
   const api::Batch& batch(int type) const { return kind(type).batch; }
@@ -86,6 +89,7 @@ class CellPopulation final : public ImmersedSolid {
   void create_batches(double delta);
   void place(const CellStart& start, int id);
   void add(int type, int id, const CellOutcome& outcome);
+  void remove_slot(int type, int slot);
   void sort_cells();
   int owner_of(std::span<const double> positions) const;
   std::vector<Bytes> pack_leaving();

@@ -62,8 +62,11 @@ struct Domain {
   WallDistance wall_distance(const Vec3& position) const;
   /// The same, where an opening counts as a wall that stands cells_keep_from_opening() before its face.
   WallDistance distance_for_cells(const Vec3& position) const;
-  /// So near to an opening (um) the kernel of a vertex would reach beyond it.
+  /// No cell starts nearer to an opening (um): half a node before it would leave.
   double cells_keep_from_opening() const { return 3 * dx; }
+  /// A vertex nearer to an opening (um) would act on the nodes next to it through the widest kernel, which reaches less
+  /// than two nodes far; those nodes are half a node from the face.
+  double cells_leave_before_opening() const { return 2.5 * dx; }
   /// Volume open to the fluid between the true (not the voxel) walls, um3.
   double fluid_volume() const;
 };

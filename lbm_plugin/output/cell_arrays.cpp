@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "output/principal_stretches.h"
@@ -12,17 +13,22 @@ namespace {
 
 constexpr std::uint8_t vtk_triangle = 5;
 
-/// Where the vertices and triangles of each cell stand among those of all cells, in the order of ids.
+/// Where the vertices and triangles of each cell stand among those of all cells, in the order of ids. One that has left
+/// has none.
 struct Layout {
   std::vector<std::int64_t> first_vertex, first_triangle;  // one more than there are cells
 };
 
-Layout layout_of(const Setup& setup) {
+Layout layout_of(const Setup& setup, std::span<const Departure> departures) {
   Layout layout{{0}, {0}};
   for (const CellStart& cell : setup.cells) {
     const CellType& type = setup.types[static_cast<std::size_t>(cell.type)];
-    layout.first_vertex.push_back(layout.first_vertex.back() + std::ssize(type.shape) / 3);
-    layout.first_triangle.push_back(layout.first_triangle.back() + std::ssize(type.triangles) / 3);
+    layout.first_vertex.push_back(std::ssize(type.shape) / 3);
+    layout.first_triangle.push_back(std::ssize(type.triangles) / 3);
+  }
+  for (std::vector<std::int64_t>* const first : {&layout.first_vertex, &layout.first_triangle}) {
+    for (const Departure& departure : departures) (*first)[static_cast<std::size_t>(departure.id) + 1] = 0;
+    std::partial_sum(first->begin(), first->end(), first->begin());
   }
   if (3 * layout.first_triangle.back() > std::numeric_limits<std::int32_t>::max()) {
     throw std::runtime_error("too many triangles for one VTU file with 32-bit numbers");
@@ -65,9 +71,10 @@ std::span<const T> view(const std::vector<T>& values) {
 
 }  // namespace
 
-CellArrays cell_arrays(const Setup& setup, std::span<const CellState> local_cells, bool into_box) {
+CellArrays cell_arrays(const Setup& setup, std::span<const Departure> departures,
+                       std::span<const CellState> local_cells, bool into_box) {
   using Type = VtkFile::Type;
-  const Layout layout = layout_of(setup);
+  const Layout layout = layout_of(setup, departures);
   CellArrays a;
   a.vertices = layout.first_vertex.back();
   a.triangles = layout.first_triangle.back();

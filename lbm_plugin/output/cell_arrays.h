@@ -18,7 +18,9 @@ struct CellArrays {
   std::size_t points, connectivity, offsets, types, velocity, force, cell_id, cell_type, larger, smaller;
 };
 
-/// With `into_box` each cell is moved by whole periods so that the mean of its vertices is in the box.
-CellArrays cell_arrays(const Setup& setup, std::span<const CellState> local_cells, bool into_box);
+/// Of the cells of the setup but for those that have left. With `into_box` each cell is moved by whole periods so that
+/// the mean of its vertices is in the box.
+CellArrays cell_arrays(const Setup& setup, std::span<const Departure> departures,
+                       std::span<const CellState> local_cells, bool into_box);
 
 }  // namespace npfem::flow

@@ -26,7 +26,7 @@ std::string numbered(const char* name, std::int64_t step, const char* ending) {
 bool written_by_a_run(std::string file) {
   if (file.ends_with(".part")) file.resize(file.size() - 5);  // of a run that was killed
   for (const char* whole : {"cells.pvd", "fluid.pvd", "cells.vtkhdf", "fluid.vtkhdf", "cells.csv", "rheology.csv",
-                            "summary.json", "scene.toml", "view.py"}) {
+                            "left.csv", "summary.json", "scene.toml", "view.py"}) {
     if (file == whole) return true;
   }
   const auto framed = [&](const std::string& begin, const std::string& end) {
@@ -101,6 +101,9 @@ RunOutput::RunOutput(Communicator& communicator, std::filesystem::path folder, c
       fluid_collection_(folder_ / "fluid.pvd"),
       cell_table_(communicator, folder_ / "cells.csv", scene.setup, resumed_at),
       rheology_table_(communicator, folder_ / "rheology.csv", scene.setup, resumed_at) {
+  if (!scene.setup.cells.empty() && !scene.setup.domain.openings.empty()) {
+    departure_table_.emplace(communicator, folder_ / "left.csv");
+  }
   on_first_rank([&] { text::write_file((folder_ / "view.py").string(), view_script()); });
   if (resumed_at) resume(*resumed_at, static_cast<double>(*resumed_at) * scene.setup.time_step);
 }
@@ -132,6 +135,7 @@ void RunOutput::write_all(const Simulation& simulation) {
 
 void RunOutput::write(const Simulation& simulation, bool cells, bool fluid, bool table) {
   const std::int64_t step = simulation.steps_done();
+  if (departure_table_) departure_table_->append(simulation);
   if (cells || table) {
     const std::vector<CellState> local = simulation.local_cells();
     if (cells) write_cell_files(simulation, local);
@@ -147,7 +151,7 @@ void RunOutput::write(const Simulation& simulation, bool cells, bool fluid, bool
 
 void RunOutput::write_cell_files(const Simulation& simulation, std::span<const CellState> local) {
   const double time = simulation.time_us();
-  const CellArrays arrays = cell_arrays(simulation.setup(), local, settings_.into_box);
+  const CellArrays arrays = cell_arrays(simulation.setup(), simulation.departures(), local, settings_.into_box);
   if (settings_.vtu) {
     const std::string file = numbered("cells", simulation.steps_done(), "vtu");
     write_cells(communicator_, folder_ / file, time, arrays);

@@ -9,6 +9,7 @@
 #include "communicator/communicator.h"
 #include "output/cell_table.h"
 #include "output/collection.h"
+#include "output/departure_table.h"
 #include "output/rheology.h"
 #include "scene/scene.h"
 #include "simulation/simulation.h"
@@ -20,7 +21,7 @@ namespace npfem::flow {
 void prepare_output_folder(const std::filesystem::path& folder, bool overwrite);
 
 /// The files of a run: cells_*.vtu with cells.pvd, fluid_*.vti with fluid.pvd (or
-/// cells.vtkhdf and fluid.vtkhdf), cells.csv, rheology.csv, view.py. Calls
+/// cells.vtkhdf and fluid.vtkhdf), cells.csv, rheology.csv, left.csv where cells can leave, view.py. Calls
 /// are collective and throw std::runtime_error on every rank where a file cannot be written.
 class RunOutput {
  public:
@@ -55,6 +56,7 @@ class RunOutput {
   Collection cells_collection_, fluid_collection_;
   CellTable cell_table_;
   RheologyTable rheology_table_;
+  std::optional<DepartureTable> departure_table_;  // none where no cell can leave
 };
 
 }  // namespace npfem::flow

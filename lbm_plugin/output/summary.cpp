@@ -17,6 +17,23 @@ bool fluid_failed(const Simulation& simulation, Communicator& communicator) {
   return communicator.any(!simulation.lattice().is_finite());
 }
 
+namespace {
+
+/// Of the cells that the run began with; leaves those that are still there in cells_by_type.
+void count_departures(const std::vector<Departure>& departures, Summary& s) {
+  s.cells_left = static_cast<int>(departures.size());
+  s.cells_left_by_type.assign(s.cells_by_type.size(), 0);
+  s.volume_left_by_type.assign(s.cells_by_type.size(), 0.0);
+  for (const Departure& departure : departures) {
+    const auto type = static_cast<std::size_t>(departure.type);
+    --s.cells_by_type[type];
+    ++s.cells_left_by_type[type];
+    s.volume_left_by_type[type] += departure.volume;
+  }
+}
+
+}  // namespace
+
 Summary summarise(const Scene& scene, const Simulation& simulation, Communicator& communicator, double wall_s) {
   Summary s;
   s.title = scene.title;
@@ -37,6 +54,7 @@ Summary summarise(const Scene& scene, const Simulation& simulation, Communicator
   s.cells_by_type.assign(scene.setup.types.size(), 0);
   for (const CellType& type : scene.setup.types) s.cell_types.push_back(type.name);
   for (const CellStart& cell : scene.setup.cells) ++s.cells_by_type[static_cast<std::size_t>(cell.type)];
+  count_departures(simulation.departures(), s);
   s.haematocrit_by_type = haematocrit_by_type(scene.setup, s.cells_by_type);
   s.haematocrit = std::accumulate(s.haematocrit_by_type.begin(), s.haematocrit_by_type.end(), 0.0);
   s.momentum_error = simulation.momentum_error();
@@ -84,6 +102,9 @@ std::string to_json(const Summary& s) {
       {"cells_by_type", s.cells_by_type},
       {"haematocrit", s.haematocrit},
       {"haematocrit_by_type", s.haematocrit_by_type},
+      {"cells_left", s.cells_left},
+      {"cells_left_by_type", s.cells_left_by_type},
+      {"volume_left_um3_by_type", s.volume_left_by_type},
       {"momentum_error", s.momentum_error},
       {"volume_error", s.volume_error},
       {"minimum_gap_um", s.minimum_gap_um},

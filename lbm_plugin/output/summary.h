@@ -25,11 +25,14 @@ struct Summary {
   double cell_steps_per_s = 0;
   int ranks = 1;
   std::int64_t fluid_nodes = 0;
-  int cells = 0;
+  int cells = 0;  ///< in the run at its end
   std::vector<std::string> cell_types;
   std::vector<int> cells_by_type;
   double haematocrit = 0;  ///< volume of all cells over the volume open to the fluid
   std::vector<double> haematocrit_by_type;
+  int cells_left = 0;  ///< through openings
+  std::vector<int> cells_left_by_type;
+  std::vector<double> volume_left_by_type;  ///< um3, of each as it was when it left
   double momentum_error = 0;
   double volume_error = 0;
   double minimum_gap_um = 0;

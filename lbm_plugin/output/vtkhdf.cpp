@@ -44,12 +44,24 @@ void append_once(Hdf5File& file, const std::string& kind, const std::string& nam
   append_number(file, kind + "Offsets/" + name, 0);
 }
 
+/// Notes that this time shows the last `count` rows of an array.
+void show_last(Hdf5File& file, const std::string& offsets, const std::string& name, std::int64_t count) {
+  append_number(file, offsets, file.rows(root + '/' + name) - count);
+}
+
 void end_step(Hdf5File& file, double time_us) {
   file.append(steps + "/Values", float64, {1}, &time_us);
   file.set_number(steps, "NSteps", file.rows(steps + "/Values"));
 }
 
-void store_topology(Hdf5File& file, const CellArrays& cells, const std::vector<Bytes>& arrays) {
+/// Cells only ever leave: as many as the last time are the same ones.
+bool shows_these(const Hdf5File& file, const CellArrays& cells) {
+  const std::string counts = root + "/NumberOfCells";
+  return file.has(counts) && file.numbers(counts).back() == static_cast<double>(cells.triangles);
+}
+
+/// What stays the same until a cell leaves.
+void store_part(Hdf5File& file, const CellArrays& cells, const std::vector<Bytes>& arrays) {
   const auto triangles = static_cast<hsize_t>(cells.triangles);
   const std::int64_t first_offset = 0;
   for (const auto& [name, number] : {std::pair{"NumberOfPoints", cells.vertices},
@@ -61,23 +73,25 @@ void store_topology(Hdf5File& file, const CellArrays& cells, const std::vector<B
   file.append(root + "/Offsets", int64, {1}, &first_offset);
   file.append(root + "/Offsets", int64_from_int32, {triangles}, arrays[cells.offsets].data());
   file.append(root + "/Types", uint8, {triangles}, arrays[cells.types].data());
+  file.append(root + "/CellData/cell_id", int32, {triangles}, arrays[cells.cell_id].data());
+  file.append(root + "/CellData/cell_type", int32, {triangles}, arrays[cells.cell_type].data());
 }
 
 void append_step(Hdf5File& file, double time_us, const CellArrays& cells, const std::vector<Bytes>& arrays) {
-  if (file.is_new()) {
-    begin(file, "UnstructuredGrid");
-    store_topology(file, cells, arrays);
-  }
+  if (file.is_new()) begin(file, "UnstructuredGrid");
+  if (!shows_these(file, cells)) store_part(file, cells, arrays);
   const auto vertices = static_cast<hsize_t>(cells.vertices), triangles = static_cast<hsize_t>(cells.triangles);
   append_number(file, "PointOffsets",
                 file.append(root + "/Points", float64, {vertices, 3}, arrays[cells.points].data()));
   append_number(file, "NumberOfParts", 1);
-  for (const char* unchanged : {"PartOffsets", "CellOffsets", "ConnectivityIdOffsets"})
-    append_number(file, unchanged, 0);
+  show_last(file, "PartOffsets", "NumberOfPoints", 1);
+  show_last(file, "CellOffsets", "Types", cells.triangles);
+  show_last(file, "ConnectivityIdOffsets", "Connectivity", 3 * cells.triangles);
+  for (const std::string name : {"cell_id", "cell_type"}) {
+    show_last(file, "CellDataOffsets/" + name, "CellData/" + name, cells.triangles);
+  }
   append_data(file, "PointData", "velocity_um_per_us", float32, {vertices, 3}, arrays[cells.velocity]);
   append_data(file, "PointData", "force_pN", float32, {vertices, 3}, arrays[cells.force]);
-  append_once(file, "CellData", "cell_id", int32, {triangles}, arrays[cells.cell_id]);
-  append_once(file, "CellData", "cell_type", int32, {triangles}, arrays[cells.cell_type]);
   append_data(file, "CellData", "larger_stretch", float32, {triangles}, arrays[cells.larger]);
   append_data(file, "CellData", "smaller_stretch", float32, {triangles}, arrays[cells.smaller]);
   end_step(file, time_us);
@@ -111,17 +125,35 @@ void on_first_rank(Communicator& communicator, const std::function<void()>& writ
   communicator.agree(failure);
 }
 
-/// Keeps the first `count` times of an array whose rows begin at these offsets. One that is stored once has its rows of
-/// all times at 0.
+/// Keeps the first `count` times of an array whose rows begin at these places; times may share their rows.
+void keep_times(Hdf5File& file, const std::string& name, const std::vector<double>& begin, std::int64_t count) {
+  if (count >= std::ssize(begin)) return;
+  const auto next = begin.begin() + count;
+  const auto first_dropped = std::find_if(next, begin.end(), [&](double row) { return row > *(next - 1); });
+  if (first_dropped != begin.end()) file.keep_rows(name, static_cast<std::int64_t>(*first_dropped));
+}
+
 void cut_array(Hdf5File& file, const std::string& name, const std::string& offsets, std::int64_t count) {
-  const std::vector<double> first = file.numbers(offsets);
-  const auto n = static_cast<std::size_t>(count);
-  if (n < first.size() && first[n] > 0) file.keep_rows(name, static_cast<std::int64_t>(first[n]));
+  keep_times(file, name, file.numbers(offsets), count);
   file.keep_rows(offsets, count);
 }
 
+void cut_parts(Hdf5File& file, std::int64_t count) {
+  const std::vector<double> part = file.numbers(steps + "/PartOffsets");
+  const std::vector<double> cell = file.numbers(steps + "/CellOffsets");
+  std::vector<double> offset;  // one row more than triangles in each part
+  for (std::size_t n = 0; n < std::min(part.size(), cell.size()); ++n) offset.push_back(part[n] + cell[n]);
+  for (const char* name : {"/NumberOfPoints", "/NumberOfCells", "/NumberOfConnectivityIds"}) {
+    keep_times(file, root + name, part, count);
+  }
+  keep_times(file, root + "/Types", cell, count);
+  keep_times(file, root + "/Offsets", offset, count);
+  keep_times(file, root + "/Connectivity", file.numbers(steps + "/ConnectivityIdOffsets"), count);
+  cut_array(file, root + "/Points", steps + "/PointOffsets", count);
+}
+
 void cut(Hdf5File& file, std::int64_t count) {
-  if (file.has(root + "/Points")) cut_array(file, root + "/Points", steps + "/PointOffsets", count);
+  if (file.has(root + "/Points")) cut_parts(file, count);
   for (const std::string kind : {"PointData", "CellData"}) {
     for (const std::string& name : file.names_in(root + '/' + kind)) {
       cut_array(file, root + '/' + kind + '/' + name, steps + '/' + kind + "Offsets/" + name, count);

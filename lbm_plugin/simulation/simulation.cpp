@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <optional>
 #include <set>
 #include <span>
+#include <stdexcept>
 
 #include "checkpoint/cell_section.h"
 #include "checkpoint/checkpoint_header.h"
@@ -74,7 +74,7 @@ struct Simulation::State {
   void restore(CheckpointFile& file, const CheckpointHeader& header);
   void make_coupling();
   void load_fluid();
-  void stop_at_openings();
+  void let_cells_leave();
   void mark_interior();
   void record(const CellStepReport& report);
   void record_failures(const std::vector<LocalFailure>& local);
@@ -94,6 +94,7 @@ struct Simulation::State {
   std::vector<double> start_volumes;  // um3, by type
   std::vector<CellFailure> failures;
   std::set<int> failed_cells;
+  Departures departures;
   Counters counters;  // of this rank
   Counters earlier;   // of the whole system, before this process went on
   double coupling_seconds = 0;
@@ -113,6 +114,9 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 
 void Simulation::State::start() {
+  if (const std::string misplaced = starts_in_an_opening(setup); !misplaced.empty()) {
+    throw std::invalid_argument(misplaced);
+  }
   if (setup.start_developed) {
     lattice.initialise([this](int ix, int iy, int iz) {
       const Vec3 position = scale(units.dx, {ix + 0.5, iy + 0.5, iz + 0.5});
@@ -168,7 +172,8 @@ void Simulation::State::set_driving(std::int64_t step) {
 void Simulation::State::restore(CheckpointFile& file, const CheckpointHeader& header) {
   make_coupling();
   flow::load_fluid(lattice, communicator, file);
-  load_cells(cells, setup.cells, file, communicator);
+  departures.restore(header.departures);
+  load_cells(cells, setup.cells, departures.all(), file, communicator);
   // An explicit scheme follows the fluid at the places where it has spread; no vertex has moved since.
   if (link) link->locate(cells, 0);
   mark_interior();
@@ -184,12 +189,13 @@ void Simulation::save(CheckpointWriter& file, CheckpointHeader& header) const {
   const State& s = *state_;
   save_fluid(s.lattice, s.communicator, file);
   save_placed(s.setup.cells, s.communicator, file);
-  save_cells(s.cells, s.setup.cells, file, s.communicator);
+  save_cells(s.cells, s.setup.cells, s.departures.all(), file, s.communicator);
   header.step = s.steps;
   header.time_us = time_us();
   header.backend = s.setup.backend;
   header.counters = counters();
   header.failures = s.failures;
+  header.departures = s.departures.all();
   header.audit = s.audit.record(s.communicator);
 }
 
@@ -206,39 +212,21 @@ void Simulation::step() {
   if (s.solves_now()) {
     const Stopwatch watch(s.coupling_seconds);
     s.record(s.coupling->follow_fluid());
+    s.let_cells_leave();
   }
-}
-
-/// A cell that comes so near to an opening that its kernels would reach beyond it ends the run, by name.
-void Simulation::State::stop_at_openings() {
-  std::vector<LocalFailure> reached;
-  std::vector<double> xyz;
-  cells.read("position", xyz);
-  for (const CellPopulation::Cell& cell : cells.cells()) {
-    const std::span<const double> own = std::span(xyz).subspan(3 * cell.first_vertex, 3 * cells.vertices_of(cell.type));
-    for (const Opening& opening : setup.domain.openings) {
-      const std::size_t axis = axis_of(opening.face);
-      double nearest = std::numeric_limits<double>::infinity();
-      for (std::size_t i = axis; i < own.size(); i += 3) {
-        nearest = std::min(nearest, is_high(opening.face) ? setup.domain.size()[axis] - own[i] : own[i]);
-      }
-      if (nearest >= setup.domain.cells_keep_from_opening()) continue;
-      reached.push_back({cell.id, cell.type,
-                         "it has reached the opening " + name_of(opening.face) +
-                             "; cells cannot leave through one: take a longer domain or a shorter run"});
-      break;
-    }
-  }
-  if (communicator.any(!reached.empty())) record_failures(reached);
 }
 
 void Simulation::State::load_fluid() {
   const Stopwatch watch(coupling_seconds);
   if (!solves_now()) return coupling->renew_load(static_cast<int>(steps % setup.coupling.steps_per_solve));
   cells.migrate();
-  if (!setup.domain.openings.empty()) stop_at_openings();
   record(coupling->load_fluid());
   mark_interior();
+}
+
+/// The fluid holds the forces of those that leave until it is given new ones, before its next step.
+void Simulation::State::let_cells_leave() {
+  if (departures.let_go(setup, steps, cells, communicator)) mark_interior();
 }
 
 /// By the positions that the cells keep until the next solve, and that a checkpoint between the two holds.
@@ -292,6 +280,9 @@ std::vector<CellSurface> Simulation::State::surfaces() const {
 const std::vector<CellFailure>& Simulation::failures() const {
   return state_->failures;
 }
+const std::vector<Departure>& Simulation::departures() const {
+  return state_->departures.all();
+}
 std::int64_t Simulation::steps_done() const {
   return state_->steps;
 }
@@ -311,7 +302,7 @@ const Decomposition& Simulation::decomposition() const {
   return state_->decomposition;
 }
 int Simulation::cell_count() const {
-  return static_cast<int>(state_->setup.cells.size());
+  return static_cast<int>(state_->setup.cells.size() - state_->departures.all().size());
 }
 
 std::vector<CellState> Simulation::local_cells() const {

@@ -10,6 +10,7 @@
 #include "communicator/communicator.h"
 #include "communicator/decomposition.h"
 #include "lattice/lattice.h"
+#include "simulation/departures.h"
 #include "simulation/setup.h"
 #include "units.h"
 
@@ -77,6 +78,9 @@ class Simulation {
   /// Every cell that has failed so far, in order of step and id; the same list on every rank.
   const std::vector<CellFailure>& failures() const;
 
+  /// Every cell that has left through an opening so far, in order of step and id; the same list on every rank.
+  const std::vector<Departure>& departures() const;
+
   std::int64_t steps_done() const;
   double time_us() const;
   const Setup& setup() const;
@@ -86,7 +90,7 @@ class Simulation {
 
   /// The cells this rank owns, in order of global id.
   std::vector<CellState> local_cells() const;
-  /// Cells of the whole system.
+  /// Cells of the whole system: those of the setup but for those that have left.
   int cell_count() const;
 
   Counters counters() const;  ///< collective

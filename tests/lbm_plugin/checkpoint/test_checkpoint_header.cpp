@@ -23,6 +23,7 @@ TEST(CheckpointHeader, ReadsBackToTheBit) {
   header.wall_s = 1.0 / 3.0;
   header.counters = {5, 7, 1e-7 / 3, 0.1, 0.2, 0.3};
   header.failures = {{3, 0, 17, "said \"no\""}};
+  header.departures = {{12, 1, 17, Face::y_high, {0.1 + 0.2, -1.0 / 3.0, 5}, 1e2 / 3}, {4, 0, 19, Face::x_low, {}, 0}};
   for (std::size_t i = 0; i < header.audit.size(); ++i) header.audit[i] = std::sqrt(static_cast<double>(i) + 0.5);
   header.audit[4] = std::numeric_limits<double>::infinity();
   const CheckpointHeader back = header_from_json(to_json(header));
@@ -35,6 +36,7 @@ TEST(CheckpointHeader, ReadsBackToTheBit) {
   EXPECT_EQ(back.counters.worst_residual_pN, header.counters.worst_residual_pN);
   ASSERT_EQ(back.failures.size(), 1u);
   EXPECT_EQ(back.failures[0].reason, "said \"no\"");
+  EXPECT_EQ(back.departures, header.departures);
   EXPECT_EQ(back.audit[5], header.audit[5]);
   EXPECT_TRUE(std::isnan(back.audit[4])) << "JSON knows no infinity";
 }

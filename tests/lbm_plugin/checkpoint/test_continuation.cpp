@@ -9,6 +9,7 @@
 #include "communicator/serial_communicator.h"
 #include "crowd.h"
 #include "folder_of_rank_zero.h"
+#include "leaving.h"
 #include "mpi_environment.h"
 #include "scratch_folder.h"
 #include "simulation/simulation.h"
@@ -65,6 +66,8 @@ void expect_same_as_straight(const flow::Setup& setup, int first, int second, in
     EXPECT_LT(last.momentum_error(), 1e-10);
   }
   EXPECT_EQ(last.steps_done(), straight.steps_done());
+  EXPECT_EQ(last.departures(), straight.departures());
+  EXPECT_EQ(last.cell_count(), straight.cell_count());
   const auto cells = last.local_cells();
   const auto expected_cells = straight.local_cells();
   ASSERT_EQ(cells.size(), expected_cells.size());
@@ -104,6 +107,13 @@ TEST(Continuation, OfAViscosityInside) {
     setup.types[0].interior_viscosity_ratio = 5;
     expect_same_as_straight(setup, 31, 7, 6);
   }
+}
+
+/// One leaves before the first stop, one while all ranks go on with the run, and the last two after that.
+TEST(Continuation, WhileCellsLeave) {
+  expect_same_as_straight(capsules::leaving(CouplingScheme::implicit, 1), 60, 20, 30);
+  expect_same_as_straight(capsules::leaving(CouplingScheme::implicit, 3), 61, 20, 30);
+  expect_same_as_straight(capsules::leaving(CouplingScheme::peskin, 2), 61, 20, 30);
 }
 
 TEST(Continuation, OfAFluidAlone) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MPL-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "cell_shapes.h"
 #include "folder_of_rank_zero.h"
@@ -37,13 +39,16 @@ CellState cell_of(const Setup& setup, int id) {
   return cell;
 }
 
-std::string written(const std::filesystem::path& path, bool into_box) {
+std::string written(const std::filesystem::path& path, bool into_box, const std::vector<int>& left = {}) {
   const flow::Setup setup = two_types();
+  std::vector<Departure> departures;
+  for (const int id : left) departures.push_back({id, setup.cells[static_cast<std::size_t>(id)].type, 0, {}, {}, 0});
   std::vector<CellState> local;
   for (int id = 0; id < cells; ++id) {
+    if (std::find(left.begin(), left.end(), id) != left.end()) continue;
     if (id * world().size() / cells == world().rank()) local.push_back(cell_of(setup, id));
   }
-  write_cells(world(), path, 12.5, cell_arrays(setup, local, into_box));
+  write_cells(world(), path, 12.5, cell_arrays(setup, departures, local, into_box));
   world().barrier();
   return content_of(path);
 }
@@ -91,6 +96,38 @@ TEST(WriteCells, ReadsBackWholeAndInOrder) {
   }
   EXPECT_EQ(vertex, points.size() / 3);
   EXPECT_EQ(triangle, offsets.size());
+  world().barrier();
+}
+
+TEST(WriteCells, LeavesNoGapWhereACellHasLeft) {
+  const ScratchFolder own("write_cells_left");
+  const auto folder = folder_of_rank_zero(own);
+  const auto all = array_of<double>(written(folder / "all.vtu", false), "points_um");
+  const std::string file = written(folder / "fewer.vtu", false, {4, 0, 6});
+  const auto points = array_of<double>(file, "points_um");
+  const auto connectivity = array_of<std::int32_t>(file, "connectivity");
+  const auto ids = array_of<std::int32_t>(file, "cell_id");
+  EXPECT_EQ(attribute(file, "NumberOfPoints", "NumberOfPoints"), std::to_string(points.size() / 3));
+  const flow::Setup setup = two_types();
+  std::size_t vertex = 0, triangle = 0, in_all = 0;
+  for (int id = 0; id < cells; ++id) {
+    const CellType& type = setup.types[static_cast<std::size_t>(setup.cells[static_cast<std::size_t>(id)].type)];
+    const std::size_t first_in_all = in_all;
+    in_all += type.shape.size();
+    if (id == 0 || id == 4 || id == 6) continue;
+    for (std::size_t n = 0; n < type.shape.size(); ++n) ASSERT_EQ(points[3 * vertex + n], all[first_in_all + n]);
+    for (std::size_t n = 0; n < type.triangles.size(); ++n) {
+      ASSERT_EQ(connectivity[3 * triangle + n], type.triangles[n] + static_cast<int>(vertex));
+      ASSERT_EQ(ids[triangle + n / 3], id);
+    }
+    vertex += type.shape.size() / 3;
+    triangle += type.triangles.size() / 3;
+  }
+  EXPECT_EQ(vertex, points.size() / 3);
+  EXPECT_EQ(triangle, ids.size());
+  const std::string none = written(folder / "none.vtu", false, {0, 1, 2, 3, 4, 5, 6});
+  EXPECT_EQ(attribute(none, "NumberOfPoints", "NumberOfPoints"), "0");
+  EXPECT_TRUE(array_of<double>(none, "points_um").empty());
   world().barrier();
 }
 
