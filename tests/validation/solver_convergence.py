@@ -15,7 +15,7 @@ import npfem
 from npfem.tweezers import contact_vertices
 from npfem.validation import Case
 
-CASE = Case(id="S5", title="The same equilibrium by every solver", tier="ci", cost_s=4,
+CASE = Case(id="S5", title="The same equilibrium by every solver", tier="ci", cost_s=3,
             source="Newton's method with exact second derivatives")
 
 FORCE_PN = 200.0
