@@ -23,8 +23,8 @@ CASE = Case(id="S12", title="Mesh independence of the red cell", tier="nightly",
 FORCES_PN = (0.0, 31.0, 67.6, 109.0, 150.7, 193.0)
 LEVELS = {3: 258, 4: 1026, 5: 4098}
 BEAD_STIFFNESS = 1000.0  # pN/um
-CONTACT = ("the contact, not the membrane: the vertices within the disc reach 0.89, 0.94 and 0.99 um from the axis on 258, "
-           "1026 and 4098 vertices; with the same contact the error is that of the rows below")
+CONTACT = ("the contact, not the membrane: the vertices within the disc reach 0.89, 0.94 and 0.99 um from the axis on "
+           "258, 1026 and 4098 vertices; with the same contact the error is that of the rows below")
 
 
 def same_contact(level):

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MPL-2.0
 """A stretched red cell let go: the time constant of its recovery.
 
-Proves the viscosity of the membrane. The shipped `rbc` is stretched by two rigid contacts to a ratio of length to width
-of 2, let go, and followed for 0.6 s; the fluid is left out, as the membrane dissipates far more. The law of Hochmuth et
-al. is fitted, L/W = r (K + exp(-t/t_c))/(K - exp(-t/t_c)), K = (L0/W0 + r)/(L0/W0 - r), with r the ratio of the cell at
-rest. Where the material states no viscosity of its membrane, 0.5 uN s/m is taken, inside the band of 0.3 to 0.7; which it
-was is the first number below.
+Proves the viscosity of the membrane. The shipped `rbc` is stretched by two rigid contacts to a ratio of length to
+width of 2, let go, and followed for 0.6 s; the fluid is left out, as the membrane dissipates far more. The law of
+Hochmuth et al. is fitted, L/W = r (K + exp(-t/t_c))/(K - exp(-t/t_c)), K = (L0/W0 + r)/(L0/W0 - r), with r the ratio
+of the cell at rest. Where the material states no viscosity of its membrane, 0.5 uN s/m is taken, inside the band of
+0.3 to 0.7; which it was is the first number below.
 
 Reference: t_c of single cells, 0.08 to 0.18 s around a mean of 0.13 s; cells 1 and 2 (0.110 and 0.105 s) are drawn.
-Convergence in time: implicit Euler at 10 and 5 ms within 5 % of 2.5 ms, and BDF2 at 5 ms. Weakness:
-the measured cells stop at a ratio of 1.11 and 1.23 where a perfect one ends near 1.0; that is not in this model.
+Convergence in time: implicit Euler at 10 and 5 ms within 5 % of 2.5 ms, and BDF2 at 5 ms. Weakness: the measured cells
+stop at a ratio of 1.11 and 1.23 where a perfect one ends near 1.0; that is not in this model.
 """
 import math
 
@@ -24,7 +24,7 @@ CASE = Case(id="S13", title="Recovery of a stretched red cell", tier="nightly", 
 
 VISCOSITY = 0.5e6  # pN us/um, 0.5 uN s/m: where the material states none
 # Without fluid nothing but mass resists a turn of the whole cell: light enough to leave inertia aside (its share of the
-# stress is 1e-5), heavy enough that the solver's residual forces do not turn the cell out of the axes it is measured in.
+# stress is 1e-5), heavy enough that the solver's residual forces do not turn the cell out of the axes of measurement.
 DENSITY = 1e4  # fg/um2
 RESIDUAL_PN = 1e-8
 # Time (s) and length over width of two cells.
@@ -108,7 +108,8 @@ def run(report):
     for name, points in (("cell 1", HOCHMUTH_1), ("cell 2", HOCHMUTH_2)):
         report.curve(plot, name + ", Hochmuth et al. 1979", *zip(*points), points=True)
     with npfem.Material.preset("rbc") as shipped:
-        report.measured("membrane viscosity of the shipped rbc", shipped["membrane_shear_viscosity"] / 1e6, unit="uN s/m")
+        report.measured("membrane viscosity of the shipped rbc", shipped["membrane_shear_viscosity"] / 1e6,
+                        unit="uN s/m")
     found = {step: recover(step, 0) for step in (10e3, 5e3, 2.5e3)}
     times, ratios, fine, viscosity = found[2.5e3]
     report.measured("membrane viscosity used", viscosity / 1e6, unit="uN s/m")
