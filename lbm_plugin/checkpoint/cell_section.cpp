@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "checkpoint/cell_section.h"
 
+#include <array>
 #include <bit>
 #include <numeric>
 #include <stdexcept>
@@ -35,6 +36,17 @@ std::vector<std::int64_t> layout_of(const CellPopulation& population, const std:
   for (const Departure& departure : departures) begin.at(static_cast<std::size_t>(departure.id) + 1) = 0;
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   return begin;
+}
+
+/// For each cell its place among those that have not left; -1 for one that has.
+std::vector<std::int64_t> places_of(const std::vector<CellStart>& all, const std::vector<Departure>& departures) {
+  std::vector<std::int64_t> places(all.size(), 0);
+  for (const Departure& departure : departures) places.at(static_cast<std::size_t>(departure.id)) = -1;
+  std::int64_t next = 0;
+  for (std::int64_t& place : places) {
+    if (place == 0) place = next++;
+  }
+  return places;
 }
 
 std::vector<Word> record_of(const CellPopulation& population, const CellPopulation::Cell& cell) {
@@ -102,6 +114,46 @@ std::vector<CellStart> load_placed(CheckpointFile& file) {
     for (std::size_t i = 0; i < 9; ++i) cell.rotation[i] = number_of(words[n + 4 + i]);
   }
   return cells;
+}
+
+void save_centres(const CellPopulation& population, const std::vector<CellStart>& all,
+                  const std::vector<Departure>& departures, CheckpointWriter& file) {
+  const std::vector<std::int64_t> places = places_of(all, departures);
+  std::vector<double> xyz;
+  population.read("position", xyz);
+  std::vector<std::array<Word, 3>> words;
+  words.reserve(population.cells().size());
+  std::vector<CheckpointWriter::Piece> pieces;
+  for (const CellPopulation::Cell& cell : population.cells()) {
+    const std::size_t vertices = population.vertices_of(cell.type);
+    Vec3 centre{};
+    for (std::size_t v = cell.first_vertex; v < cell.first_vertex + vertices; ++v) {
+      centre = add(centre, {xyz[3 * v], xyz[3 * v + 1], xyz[3 * v + 2]});
+    }
+    centre = scale(1.0 / static_cast<double>(vertices), centre);
+    words.push_back({word_of(centre[0]), word_of(centre[1]), word_of(centre[2])});
+    pieces.push_back({3 * places[static_cast<std::size_t>(cell.id)], words.back()});
+  }
+  file.begin_section("centres");
+  file.write(pieces);
+  file.end_section();
+}
+
+std::vector<CellStart> load_present(const std::vector<CellStart>& all, const std::vector<Departure>& departures,
+                                    CheckpointFile& file) {
+  if (file.words("centres") != 3 * (std::ssize(all) - std::ssize(departures))) {
+    throw std::runtime_error(file.path().string() + ": it does not say where its cells are");
+  }
+  std::vector<Word> words(static_cast<std::size_t>(file.words("centres")));
+  file.read("centres", 0, words);
+  const std::vector<std::int64_t> places = places_of(all, departures);
+  std::vector<CellStart> present;
+  for (std::size_t id = 0; id < all.size(); ++id) {
+    if (places[id] < 0) continue;
+    const Word* const at = &words[3 * static_cast<std::size_t>(places[id])];
+    present.push_back({all[id].type, {number_of(at[0]), number_of(at[1]), number_of(at[2])}, identity_rotation});
+  }
+  return present;
 }
 
 void save_cells(const CellPopulation& population, const std::vector<CellStart>& all,

@@ -29,12 +29,13 @@ void add_fluid_nodes(PlaneWeights& weights, const Domain& domain, const Communic
   }
 }
 
-void add_cells(PlaneWeights& weights, const Setup& setup, const Communicator& communicator) {
+void add_cells(PlaneWeights& weights, const Setup& setup, std::span<const CellStart> cells,
+               const Communicator& communicator) {
   const Domain& domain = setup.domain;
   const Decomposition grid(domain.nodes, domain.periodic(), 1);
   const auto share = static_cast<std::size_t>(communicator.size());
-  for (std::size_t i = static_cast<std::size_t>(communicator.rank()); i < setup.cells.size(); i += share) {
-    const CellStart& cell = setup.cells[i];
+  for (std::size_t i = static_cast<std::size_t>(communicator.rank()); i < cells.size(); i += share) {
+    const CellStart& cell = cells[i];
     if (cell.type < 0 || cell.type >= static_cast<int>(setup.types.size())) continue;  // refused when it is placed
     const std::vector<double> xyz = start_positions(cell, setup.types[static_cast<std::size_t>(cell.type)]);
     for (std::size_t v = 0; v + 2 < xyz.size(); v += 3) {
@@ -47,13 +48,13 @@ void add_cells(PlaneWeights& weights, const Setup& setup, const Communicator& co
 
 }  // namespace
 
-PlaneWeights plane_weights(const Setup& setup, Communicator& communicator) {
+PlaneWeights plane_weights(const Setup& setup, std::span<const CellStart> cells, Communicator& communicator) {
   PlaneWeights weights;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     weights[axis].resize(static_cast<std::size_t>(std::max(setup.domain.nodes[axis], 0)));
   }
   add_fluid_nodes(weights, setup.domain, communicator);
-  add_cells(weights, setup, communicator);
+  add_cells(weights, setup, cells, communicator);
   for (std::vector<std::int64_t>& axis : weights) communicator.sum(axis);
   return weights;
 }

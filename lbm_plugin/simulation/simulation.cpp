@@ -37,9 +37,9 @@ Setup checked(Setup setup, Communicator& communicator) {
 }
 
 /// One rank has it all and need not know where the work is.
-Decomposition decomposed(const Setup& setup, Communicator& communicator) {
+Decomposition decomposed(const Setup& setup, std::span<const CellStart> cells, Communicator& communicator) {
   const int ranks = communicator.size();
-  const PlaneWeights weights = ranks > 1 ? plane_weights(setup, communicator) : PlaneWeights{};
+  const PlaneWeights weights = ranks > 1 ? plane_weights(setup, cells, communicator) : PlaneWeights{};
   return {setup.domain.nodes, setup.domain.periodic(), ranks, weights};
 }
 
@@ -57,11 +57,12 @@ Units units_of(const Setup& setup) {
 }  // namespace
 
 struct Simulation::State {
-  State(const Setup& given, Communicator& group, bool place_cells)
+  /// `present`: the cells where they are by now. With `place_cells` they are put where the setup has them.
+  State(const Setup& given, Communicator& group, std::span<const CellStart> present, bool place_cells)
       : setup(checked(given, group)),
         communicator(group),
         units(units_of(setup)),
-        decomposition(decomposed(setup, group)),
+        decomposition(decomposed(setup, present, group)),
         lattice(group, decomposition, lattice_geometry(setup.domain, units), lattice_options(setup, units)),
         cells(make_cells(setup, group, decomposition, place_cells)) {
     if (!setup.cells.empty()) link.emplace(setup, units, group, lattice, audit);
@@ -102,12 +103,12 @@ struct Simulation::State {
 };
 
 Simulation::Simulation(const Setup& setup, Communicator& communicator)
-    : state_(std::make_unique<State>(setup, communicator, true)) {
+    : state_(std::make_unique<State>(setup, communicator, setup.cells, true)) {
   state_->start();
 }
 Simulation::Simulation(const Setup& setup, Communicator& communicator, CheckpointFile& file,
                        const CheckpointHeader& header)
-    : state_(std::make_unique<State>(setup, communicator, false)) {
+    : state_(std::make_unique<State>(setup, communicator, load_present(setup.cells, header.departures, file), false)) {
   state_->restore(file, header);
 }
 Simulation::~Simulation() = default;
@@ -189,6 +190,7 @@ void Simulation::save(CheckpointWriter& file, CheckpointHeader& header) const {
   const State& s = *state_;
   save_fluid(s.lattice, s.communicator, file);
   save_placed(s.setup.cells, s.communicator, file);
+  save_centres(s.cells, s.setup.cells, s.departures.all(), file);
   save_cells(s.cells, s.setup.cells, s.departures.all(), file, s.communicator);
   header.step = s.steps;
   header.time_us = time_us();
