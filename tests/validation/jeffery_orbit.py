@@ -7,10 +7,15 @@ turn takes 2 pi (r + 1/r)/rate. Prolate and oblate of ratio 2, and the platelet'
 semi-axis a, in boxes of six long semi-axes along flow and gradient. The law is fitted to half a turn, once the start has
 died out.
 
-Peers are 2 to 5 % off; 5 % is allowed where the short axis, the whole of it, has at least 4 nodes. The kernel smears the surface: every
-axis is longer by the excess of I2 (0.48 nodes with 4 points), so that the body is rounder than meant and turns faster. The period
-of that rounder body is given beside ours: it says how much of an error is left to anything else. Known weakness: orbits out of the plane
-are not looked at; walls and images at three semi-axes.
+Peers are 2 to 5 % off; 5 % is allowed, with at least 4 nodes along the short axis, the whole of it. What is to be expected of the kernel is
+computed beside it: a rigid surface smeared twice by the kernel in unbounded Stokes flow (smeared_surface.py). Axes longer by the excess of
+the radius of a sphere (I2) would say that a body turns faster than meant; but the kernel strengthens the answer to strain more than
+that to turning, the more so the higher the mode, and bodies turn more slowly. What is left, 2 to 3 %, is mostly the box: one of ten
+semi-axes in place of six takes 1.8 % off the prolate one with 6 nodes (measured). Neither Re (0.03) nor the time step (tau = 1.5) nor a
+tenfold stiffness changes a period by more than 0.4 %.
+
+Known weakness: orbits out of the plane are not looked at. Where the kernel is as wide as the body is thick (platelet, short axis of 4 nodes) errors of
+both signs cancel, and 2.6 % is luck.
 """
 import math
 import os
@@ -18,18 +23,19 @@ import os
 import numpy
 
 from npfem.validation import Case, read_csv, run_scene
+from npfem.validation.smeared_surface import in_shear
 from npfem.validation.stiff_bodies import scene_in_shear, write_spheroid
 
-CASE = Case(id="I4", title="Spheroids turn in shear", tier="nightly", cost_s=200,
+CASE = Case(id="I4", title="Spheroids turn in shear", tier="nightly", cost_s=300,
             source="Jeffery, Proc. R. Soc. A 102 (1922) 161")
 
 REYNOLDS = 0.1
 EXCESS = {4: 0.485, 2: 0.277}  # dx, of the radius of a sphere, measured in I2
-ROUNDER = ("the kernel smears the surface, axes grow by %.2g dx: the period of that rounder body is %.1f %% short; "
-           "the error goes with dx over the short axis")
+COARSE = "4.1 % is what the kernel does (smeared surface in unbounded Stokes flow), 1.8 % the box, measured with one of ten semi-axes"
 
 # name, semi-axes along flow, gradient, vorticity (dx), nodes, kernel
-BODIES = (("prolate 2 : 1, short axis 8 dx", (8, 4, 4), (48, 48, 32), 4),
+BODIES = (("prolate 2 : 1, short axis 6 dx", (6, 3, 3), (36, 36, 24), 4),
+          ("prolate 2 : 1, short axis 8 dx", (8, 4, 4), (48, 48, 32), 4),
           ("oblate 2 : 1, short axis 8 dx", (8, 4, 8), (48, 48, 48), 4),
           ("platelet 3.6 : 1.1, short axis 4 dx", (6.545, 2, 6.545), (40, 40, 40), 4),
           ("platelet 3.6 : 1.1, short axis 6 dx", (9.818, 3, 9.818), (60, 60, 60), 4),
@@ -72,15 +78,18 @@ def run(report):
         settled = time >= start
         fitted_ratio, speed = fit_law(time[settled], phi[settled])
         ours = 2 * math.pi / speed
-        excess = EXCESS[kernel]
-        rounder = turn((axes[0] + excess) / (axes[1] + excess))
-        expected = 100 * (1 - rounder / turn(ratio))
         report.compare("turn times shear rate, " + name, ours, turn(ratio), relative=0.05,
-                       known_failure=ROUNDER % (excess, expected) if expected > 5 else "")
-        report.compare("turn times shear rate against that of axes longer by the excess, " + name, ours, rounder,
-                       relative=0.05)
-        report.measured("ratio of axes in the law of the angle, %s; with the excess %.3f" % (
-            name, (axes[0] + excess) / (axes[1] + excess)), fitted_ratio)
+                       known_failure=COARSE if axes == (6, 3, 3) else "")
+        smeared = in_shear(axes, kernel)[0]
+        if axes[1] >= 3:
+            report.compare("turn times shear rate against a smeared surface in Stokes flow, " + name, ours, smeared,
+                           relative=0.05)
+        else:
+            report.measured("turn times shear rate of a smeared surface in Stokes flow, " + name, smeared)
+        longer = (axes[0] + EXCESS[kernel]) / (axes[1] + EXCESS[kernel])
+        report.measured("turn times shear rate of Jeffery's spheroid with axes longer by the excess, " + name,
+                        turn(longer))
+        report.measured("ratio of axes in the law of the angle, " + name, fitted_ratio)
         report.measured("largest change of the long axis, %s" % name,
                         100 * (numpy.ptp(table["long_semi_axis_um"]) / axes[0]), unit="%")
         plot = report.plot("Angle of the " + name, "time times shear rate", "angle from the velocity gradient (deg)")

@@ -5,10 +5,11 @@ No torque acts on the sphere, so it turns with the vorticity: rate/2, within 2 %
 phi the share of volume. One sphere in a box of ten radii between the plates, phi = 0.42 %, at Re = 0.05: interaction with its images and the plates, of
 the order 5 phi, and inertia, 1.34 Re^1.5 (Lin, Peery & Schowalter, J. Fluid Mech. 44 (1970) 1), then add 2 % each at most, and 10 % are allowed.
 
-The kernel smears the surface over its width w, which costs each mode of the surface a share of its mobility. To first order in dx/a a drag grows by
-w/a and a stresslet by 3 w/a, as those of a sphere of radius a + w: viscosity taken with the nominal volume is far too high on a coarse
-lattice, with the volume of the effective radius of I2 it should hold. The limit dx/a -> 0 is extrapolated from the three
-radii by 1/[eta] = 1/eta_0 - slope dx/a, and must be Einstein's as well.
+The kernel smears the surface, which costs each mode of the surface a share of its mobility, the higher the mode the more: on a coarse
+lattice the viscosity is far too high with the nominal volume, and still at a = 4 nodes with the volume of the effective radius, which is
+that of the drag (I2). Three references then: Einstein with that volume; a rigid surface smeared twice by the kernel in unbounded Stokes flow
+(smeared_surface.py), which should be met at every radius; and Einstein in the limit dx/a -> 0, extrapolated from the three radii by
+1/[eta] = 1/eta_0 - slope dx/a.
 """
 import math
 import os
@@ -16,14 +17,17 @@ import os
 import numpy
 
 from npfem.validation import Case, read_csv, run_scene
+from npfem.validation.smeared_surface import in_shear
 from npfem.validation.stiff_bodies import scene_in_shear, write_spheroid
 from npfem.vtk_files import read_pvd, read_vtu
 
-CASE = Case(id="I7", title="A stiff sphere in shear", tier="nightly", cost_s=60,
+CASE = Case(id="I7", title="A stiff sphere in shear", tier="nightly", cost_s=90,
             source="Einstein, Ann. Phys. 339 (1911) 591; Faxen's law")
 
 REYNOLDS = 0.05
 EXCESS = 0.485  # dx, of the radius, 4-point kernel, measured in I2
+COARSE = ("the stresslet feels the kernel more than the drag does: a surface smeared alike has 4.10 in unbounded Stokes flow, "
+          "2.90 with the effective volume; images and plates add the rest")
 
 
 def spin(path):
@@ -53,7 +57,10 @@ def run(report):
         report.measured("change of the relative viscosity over the last tenth of the run, of what it adds, a = %d dx" % radius,
                         (table["relative_viscosity"][-1] - table["relative_viscosity"][-2]) / added)
         report.compare("intrinsic viscosity with the volume of the effective radius, a = %d dx" % radius,
-                       added / share / (1 + EXCESS / radius) ** 3, 2.5, relative=0.1)
+                       added / share / (1 + EXCESS / radius) ** 3, 2.5, relative=0.1,
+                       known_failure=COARSE if radius == 4 else "")
+        report.compare("intrinsic viscosity with the nominal volume against a smeared surface, a = %d dx" % radius,
+                       added / share, in_shear((radius,) * 3, 4)[1], relative=0.1)
     plot = report.plot("Intrinsic viscosity of a stiff sphere", "node spacing over the radius", "[eta]")
     x = [1 / radius for radius in nominal]
     slope, inverse = numpy.polyfit(x, [1 / value for value in nominal.values()], 1)
