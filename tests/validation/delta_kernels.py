@@ -8,7 +8,8 @@ sides, so that the coupling itself neither makes nor destroys energy. All to 1e-
 """
 from npfem.validation import Case, probe
 
-CASE = Case(id="I1", title="What the kernels keep", tier="ci", cost_s=1, source="theory; Peskin, Acta Numerica 11 (2002) 479")
+CASE = Case(id="I1", title="What the kernels keep", tier="ci", cost_s=1,
+            source="theory; Peskin, Acta Numerica 11 (2002) 479")
 
 NAMES = (("uniform_flow", "interpolation of a uniform flow"), ("shear_flow", "interpolation of a linear flow"),
          ("force", "total force"), ("torque", "total torque"), ("power", "power"))

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MPL-2.0
 """Vortices carried along by a stream decay as those at rest.
 
-19 velocities leave a term of third order in the speed: the normal stress along x is too small by the share 3 U_x^2, that
-along y by 3 U_y^2 (Qian & Orszag, Europhys. Lett. 21 (1993) 255). These vortices have no other stresses, each of the two
-takes half of their energy, so they should decay more slowly by 3/2 U^2: 0.4 % at U = 0.05 node spacings per step, where
-blood flows seldom go. 1 % is allowed there, and a tenth of the predicted change. Known weakness: no walls.
+19 velocities leave a term of third order in the speed: the normal stress along x is too small by the share 3 U_x^2,
+that along y by 3 U_y^2 (Qian & Orszag, Europhys. Lett. 21 (1993) 255). These vortices have no other stresses, each of
+the two takes half of their energy, so they should decay more slowly by 3/2 U^2: 0.4 % at U = 0.05 node spacings per
+step, where blood flows seldom go. 1 % is allowed there, and a tenth of the predicted change. Known weakness: no
+walls.
 """
 from npfem.validation import Case, probe
 

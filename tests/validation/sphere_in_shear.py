@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: MPL-2.0
 """A stiff sphere in shear turns at half of the shear rate, and thickens the fluid as Einstein said.
 
-No torque acts on the sphere, so it turns with the vorticity: rate/2, within 2 %. Einstein: relative viscosity = 1 + 2.5 phi,
-phi the share of volume. One sphere in a box of ten radii between the plates, phi = 0.42 %, at Re = 0.05: interaction with its images and the plates, of
-the order 5 phi, and inertia, 1.34 Re^1.5 (Lin, Peery & Schowalter, J. Fluid Mech. 44 (1970) 1), then add 2 % each at most, and 10 % are allowed.
+No torque acts on the sphere, so it turns with the vorticity: rate/2, within 2 %. Einstein: relative viscosity = 1 +
+2.5 phi, phi the share of volume. One sphere in a box of ten radii between the plates, phi = 0.42 %, at Re = 0.05:
+interaction with its images and the plates, of the order 5 phi, and inertia, 1.34 Re^1.5 (Lin, Peery & Schowalter, J.
+Fluid Mech. 44 (1970) 1), then add 2 % each at most, and 10 % are allowed.
 
-The kernel smears the surface, which costs each mode of the surface a share of its mobility, the higher the mode the more: on a coarse
-lattice the viscosity is far too high with the nominal volume, and still at a = 4 nodes with the volume of the effective radius, which is
-that of the drag (I2). Three references then: Einstein with that volume; a rigid surface smeared twice by the kernel in unbounded Stokes flow
-(smeared_surface.py), which should be met at every radius; and Einstein in the limit dx/a -> 0, extrapolated from the three radii by
-1/[eta] = 1/eta_0 - slope dx/a.
+The kernel smears the surface, which costs each mode of the surface a share of its mobility, the higher the mode the
+more: on a coarse lattice the viscosity is far too high with the nominal volume, and still at a = 4 nodes with the
+volume of the effective radius, which is that of the drag (I2). Three references then: Einstein with that volume; a
+rigid surface smeared twice by the kernel in unbounded Stokes flow (smeared_surface.py), which should be met at every
+radius; and Einstein in the limit dx/a -> 0, extrapolated from the three radii by 1/[eta] = 1/eta_0 - slope dx/a.
 """
 import math
 import os
@@ -26,8 +27,8 @@ CASE = Case(id="I7", title="A stiff sphere in shear", tier="nightly", cost_s=90,
 
 REYNOLDS = 0.05
 EXCESS = 0.485  # dx, of the radius, 4-point kernel, measured in I2
-COARSE = ("the stresslet feels the kernel more than the drag does: a surface smeared alike has 4.10 in unbounded Stokes flow, "
-          "2.90 with the effective volume; images and plates add the rest")
+COARSE = ("the stresslet feels the kernel more than the drag does: a surface smeared alike has 4.10 in unbounded "
+          "Stokes flow, 2.90 with the effective volume; images and plates add the rest")
 
 
 def spin(path):
@@ -54,7 +55,7 @@ def run(report):
         added = table["relative_viscosity"][-1] - 1
         nominal[radius] = added / share
         report.measured("intrinsic viscosity with the nominal volume, a = %d dx" % radius, added / share)
-        report.measured("change of the relative viscosity over the last tenth of the run, of what it adds, a = %d dx" % radius,
+        report.measured("share of it that the last tenth of the run has added, a = %d dx" % radius,
                         (table["relative_viscosity"][-1] - table["relative_viscosity"][-2]) / added)
         report.compare("intrinsic viscosity with the volume of the effective radius, a = %d dx" % radius,
                        added / share / (1 + EXCESS / radius) ** 3, 2.5, relative=0.1,

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: MPL-2.0
 """A sphere in a periodic box: how large does the fluid think it is, and is that one number enough?
 
-The sphere is a surface of 642 vertices under uniform traction, the fluid holds the opposite body force, and the drag is
-that of a simple cubic array, for which Hasimoto's series holds. A kernel smears the surface over its width, so that a
-sphere drags like a slightly larger one. The excess of its radius is measured in one box, taken as a property of the kernel and
-held against the drag of other spheres in other boxes, within 3 %. It must lie between 0 and 0.5 node spacings: further
-out the kernels hardly reach. Without it the raw drag misses the 5 % that one would like at a radius of 5 nodes.
+The sphere is a surface of 642 vertices under uniform traction, the fluid holds the opposite body force, and the drag
+is that of a simple cubic array, for which Hasimoto's series holds. A kernel smears the surface over its width, so
+that a sphere drags like a slightly larger one. The excess of its radius is measured in one box, taken as a property
+of the kernel and held against the drag of other spheres in other boxes, within 3 %. It must lie between 0 and 0.5
+node spacings: further out the kernels hardly reach. Without it the raw drag misses the 5 % that one would like at a
+radius of 5 nodes.
 
-Known weakness: a rigid translation; uniform traction stands for a rigid sphere, whose traction is not quite uniform in
-an array. Larger boxes and the first order in dx/a are in I2B.
+Known weakness: a rigid translation; uniform traction stands for a rigid sphere, whose traction is not quite uniform
+in an array. Larger boxes and the first order in dx/a are in I2B.
 """
 from npfem.validation import Case, probe
 from npfem.validation.sphere_drag import effective_radius, raw_error
@@ -17,7 +18,8 @@ CASE = Case(id="I2", title="Drag of a sphere and its effective radius", tier="ci
             source="Hasimoto, J. Fluid Mech. 5 (1959) 317")
 
 OTHERS = {4: ((5, 32), (3, 36), (5, 40)), 3: ((3, 30), (5, 40)), 2: ((3, 30), (5, 40))}
-SMEARED = "the kernel smears the surface: the sphere is larger by the excess of its radius, an error of first order in dx/a"
+SMEARED = ("the kernel smears the surface: the sphere is larger by the excess of its radius, an error of first order "
+           "in dx/a")
 
 
 def run(report):

@@ -2,8 +2,8 @@
 """The drag of spheres of many sizes in large periodic boxes: is the excess of the radius the same for all?
 
 As in I2, with the default kernel of 4 points and shares a/L from 1/20 to 1/8, radii from 3 to 8 nodes. The excess
-measured at a = 4, L = 32 must give every drag within 3 %, and the raw error must fall as dx/a: its logarithm has the slope
--1, to 0.15 for the curvature of (a + excess)/a itself.
+measured at a = 4, L = 32 must give every drag within 3 %, and the raw error must fall as dx/a: its logarithm has the
+slope -1, to 0.15 for the curvature of (a + excess)/a itself.
 """
 import math
 

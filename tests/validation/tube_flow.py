@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MPL-2.0
 """Flow through a round tube, whose wall is a staircase of half-way links: does it carry what Poiseuille's law says?
 
-From rest until nothing changes any more (12 times the slowest decay time). The flow rate pi R^4 f/(8 mu) feels an error
-of the radius four times; a staircase has one of a fraction of a node spacing, which changes with the diameter without
-a trend of its own, hence 5 % at 20 and 2 % at 40 nodes across. With two relaxation times the flow does not depend on tau.
+From rest until nothing changes any more (12 times the slowest decay time). The flow rate pi R^4 f/(8 mu) feels an
+error of the radius four times; a staircase has one of a fraction of a node spacing, which changes with the diameter
+without a trend of its own, hence 5 % at 20 and 2 % at 40 nodes across. With two relaxation times the flow does not
+depend on tau.
 """
 import math
 import os

@@ -36,11 +36,11 @@ def _mobility(points, variance):
 
 
 def in_shear(semi_axes, kernel):
-    """Of a spheroid of 642 vertices: the duration of its turn times the shear rate, for an axis in the plane of the flow, and
-    the stresslet by mu, rate and its volume: the intrinsic viscosity of a sphere.
+    """Of a spheroid of 642 vertices: the duration of its turn times the shear rate, for an axis in the plane of the
+    flow, and the stresslet by mu, rate and its volume: the intrinsic viscosity of a sphere.
 
-    A body without torque turns by phi' = rate/2 (1 + beta cos 2 phi), beta = (r^2 - 1)/(r^2 + 1) for Jeffery's spheroid;
-    here beta comes from the torques of turning and of strain.
+    A body without torque turns by phi' = rate/2 (1 + beta cos 2 phi), beta = (r^2 - 1)/(r^2 + 1) for Jeffery's
+    spheroid; here beta comes from the torques of turning and of strain.
     """
     sphere = npfem.Mesh.generate("icosphere", 3, 2.0)
     points = numpy.array([[x * a for x, a in zip(point, semi_axes)] for point in sphere.positions])
