@@ -6,7 +6,7 @@ number beside its reference. The cases of the project are in tests/validation; `
 page.
 """
 from .case import TIERS, Case, Report, Result
-from .programs import NotHere, probe, run_scene
+from .programs import NotHere, probe, run_scene, summary_of
 from .tables import read_csv
 
-__all__ = ["TIERS", "Case", "NotHere", "Report", "Result", "probe", "read_csv", "run_scene"]
+__all__ = ["TIERS", "Case", "NotHere", "Report", "Result", "probe", "read_csv", "run_scene", "summary_of"]

@@ -39,11 +39,20 @@ def run_program(report, *arguments):
     return done.stdout
 
 
-def run_scene(report, name, scene, settings=(), accept=(0,)):
+def _on_ranks(ranks):
+    """What starts a program on several ranks."""
+    found = os.environ.get("NPFEM_MPIEXEC") or shutil.which("mpiexec")
+    if not found:
+        raise NotHere("mpiexec is not on the PATH; name it in NPFEM_MPIEXEC")
+    return [found, "-n", str(ranks), "--oversubscribe", "--bind-to", "none"]
+
+
+def run_scene(report, name, scene, settings=(), accept=(0,), ranks=1, threads=None):
     """Runs a scene; returns its output folder.
 
-    `scene`: its text, or its tables as a dictionary; files that it names lie in `report.folder`. `settings`: more lines for --set. A run that ends with
-    an exit code not in `accept` raises RunFailed.
+    `scene`: its text, or its tables as a dictionary; files that it names lie in `report.folder`. `settings`: more lines
+    for --set. `threads`: of each rank; few nodes are best left to one. A run that ends with an exit code not in `accept`
+    raises RunFailed.
     """
     path = os.path.join(report.folder, name + ".toml")
     with open(path, "w", encoding="utf-8") as stream:
@@ -52,10 +61,18 @@ def run_scene(report, name, scene, settings=(), accept=(0,)):
     command = [_program(), "run", path, "-o", folder, "--overwrite", "--quiet", "--json"]
     for setting in settings:
         command += ["--set", setting]
+    if ranks > 1:
+        command = _on_ranks(ranks) + command
+    environment = dict(os.environ)
+    if threads:
+        environment["OMP_NUM_THREADS"] = str(threads)
     report.say("%-4s runs %s" % (report.case.id, name))
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False,
+                          env=environment)
     if done.returncode not in accept:
         raise RunFailed("npfem run %s ended with exit code %d: %s" % (path, done.returncode, _last_lines(done.stderr)))
+    if ranks > 1 and summary_of(folder)["ranks"] != ranks:
+        raise NotHere("this npfem was built without MPI")
     return folder
 
 
@@ -66,13 +83,16 @@ def summary_of(folder):
 
 
 def probe(report, name, *arguments):
-    """The JSON that the program `validate_<name>` prints, which is built with the tests and sees the fluid from inside."""
+    """The JSON that the program `validate_<name>` prints, which is built with the tests and sees the fluid from inside.
+
+    It runs on one thread: what a probe computes is small.
+    """
     path = os.path.join(os.path.dirname(os.path.realpath(_program())), "validate_" + name)
     if not os.access(path, os.X_OK):
         raise NotHere("%s is built with the tests only (cmake --build --preset release)" % path)
     report.say("%-4s asks validate_%s %s" % (report.case.id, name, " ".join(str(a) for a in arguments)))
     done = subprocess.run([path] + [str(argument) for argument in arguments], stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, text=True, check=False)
+                          stderr=subprocess.PIPE, text=True, check=False, env=dict(os.environ, OMP_NUM_THREADS="1"))
     if done.returncode != 0:
         raise RunFailed("%s ended with exit code %d: %s" % (path, done.returncode, _last_lines(done.stderr)))
     return json.loads(done.stdout)
