@@ -51,7 +51,8 @@ class TankTreading:
 
 
 def shear_red_cell(report, name, rate_per_s, outside_mPa_s, inside_mPa_s=6.0, strain=60.0, reynolds_number=0.2,
-                   dx_um=0.5, relaxation_time=3.0, box_um=(20.0, 16.0, 14.0), material="rbc", level=3):
+                   dx_um=0.5, relaxation_time=3.0, box_um=(20.0, 16.0, 14.0), material="rbc", level=3,
+                   coupling=None, precision="double"):
     """Runs one red cell in a viscous fluid; returns a TankTreading.
 
     The fluid's density is chosen so that gdot a^2 / nu is `reynolds_number`: the true one, some 1e-4, would take a
@@ -65,7 +66,8 @@ def shear_red_cell(report, name, rate_per_s, outside_mPa_s, inside_mPa_s=6.0, st
         "schema_version": 1, "title": "Red cell tank-treading",
         "domain": {"kind": "shear_box", "size": quantities(box_um, "um"), "dx": quantity(dx_um, "um")},
         "fluid": {"density": quantity(density, "kg/m3"), "dynamic_viscosity": quantity(outside_mPa_s, "mPa s"),
-                  "time_step": quantity(dt, "us")},
+                  "time_step": quantity(dt, "us"), "precision": precision},
+        "coupling": coupling or {},
         "flow": {"shear_rate": quantity(rate_per_s, "1/s"), "start": "developed"},
         "cells": [{"name": "rbc", "material": material, "level": level,
                    "interior_viscosity_ratio": inside_mPa_s / outside_mPa_s,
