@@ -6,6 +6,7 @@
 
 #include "output/vtkhdf.h"
 #include "quantity.h"
+#include "scene/quality.h"
 #include "scene/read_parts.h"
 #include "scene/scene.h"
 #include "scene/scene_keys.h"
@@ -110,6 +111,7 @@ OutputSettings read_output(const Table& table, double time_step) {
 
 Scene read(text::Document document, const std::filesystem::path& folder, const std::vector<std::string>& assignments) {
   for (const std::string& assignment : assignments) document.set(assignment);
+  apply_quality(document);
   Scene scene(std::move(document));
   scene.folder = folder;
   const Table root = scene.document.root();

@@ -25,6 +25,15 @@ inline constexpr Key title{.name = "title",
                            .kind = Kind::text,
                            .fallback = "untitled",
                            .doc = "One line about the scene, repeated in the summary."};
+inline constexpr Key quality{
+    .name = "quality",
+    .kind = Kind::choice,
+    .choices = "fast balanced accurate",
+    .fallback = optional,
+    .doc =
+        "Values for `domain.dx`, `fluid.tau`, `fluid.precision`, `coupling.kernel` and `coupling.cell_every` where the "
+        "scene leaves them out, for cells of the size of a red cell; their errors: docs/speed_and_error.md. Default: "
+        "none, each key has its own."};
 
 // [fluid]
 inline constexpr Key density{.name = "density",

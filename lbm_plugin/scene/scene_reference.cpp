@@ -5,7 +5,7 @@ namespace npfem::flow {
 std::vector<SceneSection> scene_sections() {
   using namespace keys;  // the names below are the keys of the file
   return {
-      {"", "Top level", "", {schema_version, title}},
+      {"", "Top level", "", {schema_version, title, quality}},
       {"domain",
        "[domain]",
        "The space the blood flows in: a box of lattice nodes, and the walls in it.",

@@ -45,6 +45,28 @@ TEST(ReadScene, TauSetsTheTimeStep) {
   EXPECT_NEAR(scene.setup.time_step, (1.1 - 0.5) / 3 * 0.25 / nu, 1e-15);
 }
 
+TEST(ReadScene, QualityFillsInWhatIsLeftOut) {
+  const std::string bare = with(with(shear_scene, "dx = \"0.5 um\"", ""), "time_step = \"0.1 us\"", "");
+  Scene fast = parsed(bare, {"quality=fast"});
+  EXPECT_EQ(fast.setup.domain.dx, 0.5);
+  EXPECT_EQ(fast.setup.fluid_precision, FluidPrecision::in_float);
+  EXPECT_EQ(fast.setup.coupling.kernel_points, 3);
+  EXPECT_NE(resolved_text(fast).find("dx = \"0.5 um\""), std::string::npos);
+  const Scene balanced = parsed(bare, {"quality=balanced"}), accurate = parsed(bare, {"quality=accurate"});
+  EXPECT_GT(fast.setup.domain.dx, balanced.setup.domain.dx);
+  EXPECT_GT(balanced.setup.domain.dx, accurate.setup.domain.dx);
+  EXPECT_GT(fast.setup.time_step, balanced.setup.time_step);
+  EXPECT_EQ(accurate.setup.fluid_precision, FluidPrecision::in_double);
+}
+
+TEST(ReadScene, QualityLeavesWhatTheSceneSays) {
+  const Scene scene = parsed(shear_scene, {"quality=accurate", "coupling.kernel=2"});
+  EXPECT_EQ(scene.setup.domain.dx, 0.5);
+  EXPECT_EQ(scene.setup.time_step, 0.1);
+  EXPECT_EQ(scene.setup.coupling.kernel_points, 2);
+  EXPECT_THROW(parsed(shear_scene, {"quality=best"}), text::InputError);
+}
+
 /// A tube driven by G: mean velocity G R^2 / (8 mu); plates: G H^2 / (12 mu). Three ways to say the same.
 TEST(ReadScene, DrivesThePlainFluidAtTheVelocityAskedFor) {
   const std::string tube = with(with(shear_scene, "kind = \"shear_box\"\nsize = [\"14 um\", \"12 um\", \"10 um\"]",
