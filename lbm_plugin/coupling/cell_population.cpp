@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
+#include <string_view>
 
 #include "geometry/vec3.h"
 #include "immersed_boundary/stencil.h"
@@ -206,6 +207,17 @@ void CellPopulation::read(const char* field, std::vector<double>& values) const 
   for (const Cell& cell : cells_) {
     const auto part = std::span(values).subspan(3 * cell.first_vertex, 3 * vertices_of(cell.type));
     kind(cell.type).batch.read(field, cell.slot, 1, part);
+    if (std::string_view(field) == "elastic_force") add_load(cell, part);
+  }
+}
+
+/// The load of the cell's type, turned as the cell was when it started.
+void CellPopulation::add_load(const Cell& cell, std::span<double> forces) const {
+  const std::vector<double>& load = setup_.types[static_cast<std::size_t>(cell.type)].load;
+  const Rotation& start = setup_.cells[static_cast<std::size_t>(cell.id)].rotation;
+  for (std::size_t i = 0; i < load.size(); i += 3) {
+    const Vec3 turned = rotate(start, {load[i], load[i + 1], load[i + 2]});
+    for (std::size_t axis = 0; axis < 3; ++axis) forces[i + axis] += turned[axis];
   }
 }
 
@@ -214,6 +226,13 @@ void CellPopulation::write(const char* field, std::span<const double> values) {
   const std::size_t components = values.size() / vertices_.size();
   for (const Cell& cell : cells_) {
     const auto part = values.subspan(components * cell.first_vertex, components * vertices_of(cell.type));
+    if (std::string_view(field) == "external_force" &&
+        !setup_.types[static_cast<std::size_t>(cell.type)].load.empty()) {
+      std::vector<double> forces(part.begin(), part.end());
+      add_load(cell, forces);
+      kind(cell.type).batch.write(field, cell.slot, 1, forces);
+      continue;
+    }
     kind(cell.type).batch.write(field, cell.slot, 1, part);
   }
 }

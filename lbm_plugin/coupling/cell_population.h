@@ -69,7 +69,8 @@ class CellPopulation final : public ImmersedSolid {
   }
 
   /// Any field of the cell solver (see npfem_batch_set): to be read, one of three numbers per own vertex; to be
-  /// written, of as many as are given.
+  /// written, of as many as are given. The constant load of a type is added to external_force as it is written, and to
+  /// elastic_force as it is read: it has a potential like the elastic energy.
   void read(const char* field, std::vector<double>& values) const override;
   void write(const char* field, std::span<const double> values) override;
 
@@ -91,6 +92,7 @@ class CellPopulation final : public ImmersedSolid {
   void add(int type, int id, const CellOutcome& outcome);
   void remove_slot(int type, int slot);
   void sort_cells();
+  void add_load(const Cell& cell, std::span<double> forces) const;
   int owner_of(std::span<const double> positions) const;
   std::vector<Bytes> pack_leaving();
   void unpack_arriving(const Bytes& message);

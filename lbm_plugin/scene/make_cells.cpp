@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "geometry/cell_shape.h"
+#include "geometry/tweezers_load.h"
 #include "geometry/vec3.h"
 #include "placement/place_cells.h"
 #include "scene/read_parts.h"
@@ -60,19 +61,33 @@ api::Model model_of(const CellsRequest& request, const char*& source, std::strin
   return {mesh, material};
 }
 
+std::vector<double> load_of(const CellsRequest& request, std::span<const double> shape) {
+  if (!(request.pull > 0)) return {};
+  std::vector<double> load = tweezers_load(shape, request.pull, request.pull_contact);
+  if (load.empty()) {
+    request.table.fail("pull_contact", text::format_quantity(request.pull_contact, "um") +
+                                           " is so narrow that no vertex lies under it at one end of a cell; take a "
+                                           "wider one or a finer mesh");
+  }
+  return load;
+}
+
 CellType make_type(const CellsRequest& request, const Scene& scene) {
   const char* source = "material";
   std::string record;
   try {
     const auto model = std::make_shared<const api::Model>(model_of(request, source, record));
     require_valid_options(*model, scene);
+    std::vector<double> shape = relaxed_shape(*model, request, scene.setup.backend);
+    std::vector<double> load = load_of(request, shape);
     return {request.name,
             model,
-            relaxed_shape(*model, request, scene.setup.backend),
+            std::move(shape),
             model->triangles(),
             scene.solver_options,
             record,
-            request.interior_viscosity_ratio};
+            request.interior_viscosity_ratio,
+            std::move(load)};
   } catch (const api::Failure& failure) {
     request.table.fail(source, failure.what());
   }

@@ -69,6 +69,8 @@ CellsRequest read_cells(const text::Table& table, const Scene& scene, const std:
     table.fail("interior_viscosity_ratio", "\"" + earlier.name + "\" has " + text::format_number(ratio) +
                                                "; all types for which it is not 1 must have the same");
   }
+  request.pull = table.quantity(keys::pull);
+  request.pull_contact = table.quantity(keys::pull_contact);
   if (&exactly_one_of(table, {&keys::material, &keys::body_folder}) == &keys::body_folder) {
     refuse(table, {&keys::mesh, &keys::level}, "\"body_folder\" is given too; it holds a mesh");
     request.body_folder = path_from(table.text(keys::body_folder), folder);

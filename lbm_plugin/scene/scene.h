@@ -26,6 +26,7 @@ struct CellsRequest {
   double body_density = 0;     ///< fg/um3, of that body beyond the fluid it holds
   double volume_weight = 250;  ///< pN/um, of that body
   double interior_viscosity_ratio = 1;
+  double pull = 0, pull_contact = 0;  ///< pN on either side; um
   std::optional<double> haematocrit;
   std::optional<int> count;
   std::optional<double> ratio;  ///< cells per cell of the type `ratio_to`

@@ -174,6 +174,18 @@ inline constexpr Key interior_viscosity_ratio{
     .range = Range::positive,
     .fallback = "1",
     .doc = "Viscosity of the fluid inside over that outside. All types for which it is not 1 have the same."};
+inline constexpr Key pull{.name = "pull",
+                          .dimension = Dimension::force(),
+                          .range = Range::non_negative,
+                          .fallback = "0 pN",
+                          .doc =
+                              "Two opposite forces that pull each cell apart, as optical tweezers do, along the x "
+                              "axis of the cell as it starts."};
+inline constexpr Key pull_contact{.name = "pull_contact",
+                                  .dimension = Dimension::length(),
+                                  .range = Range::positive,
+                                  .fallback = "2 um",
+                                  .doc = "Width of the two discs whose vertices share that force."};
 inline constexpr Key haematocrit{
     .name = "haematocrit",
     .range = Range::fraction,

@@ -39,8 +39,8 @@ std::vector<SceneSection> scene_sections() {
        "[[cells]]",
        "One table per type of cell. How many there are: exactly one of `haematocrit`, `count`, `ratio` with "
        "`ratio_to`, or a list of positions.",
-       {name, material, level, mesh, body_folder, body_density, volume_weight, interior_viscosity_ratio, haematocrit,
-        count, ratio, ratio_to}},
+       {name, material, level, mesh, body_folder, body_density, volume_weight, interior_viscosity_ratio, pull,
+        pull_contact, haematocrit, count, ratio, ratio_to}},
       {"cells.positions",
        "[[cells.positions]]",
        "One table per cell, in place of a number of cells.",

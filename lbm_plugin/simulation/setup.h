@@ -24,6 +24,9 @@ struct CellType {
   std::vector<std::pair<std::string, double>> options;  ///< numbers set on every batch of this type (npfem_set_f64)
   std::string material;  ///< as text, for the record: what a checkpoint knows the type by, besides its model
   double interior_viscosity_ratio = 1;  ///< viscosity of the fluid inside over that outside
+  /// Constant forces on the vertices (xyz, pN, in the frame of `shape`) that add up to zero, as of tweezers; they turn
+  /// with the cell's start, not with the cell. Empty: none.
+  std::vector<double> load = {};
 };
 
 /// Where one cell starts: its shape turned by `rotation` (row-major), then moved to `centre` (um).
