@@ -44,11 +44,11 @@ const BadScene wrong_words[] = {
      "centre_velocity, mean_velocity, pressure_gradient, shear_rate, start, waveform"},
     {"MisspeltKeyOfACell", "level = 2", "lvel = 2",
      "scene.toml:19:1: unknown key \"lvel\" in [cells[0]]; did you mean \"level\"? known keys: body_density, "
-     "body_folder, count, haematocrit, interior_viscosity_ratio, level, material, mesh, name, positions, ratio, "
-     "ratio_to, volume_weight"},
+     "body_folder, count, haematocrit, interior_viscosity_ratio, level, material, mesh, name, positions, pull, "
+     "pull_contact, ratio, ratio_to, volume_weight"},
     {"MisspeltSection", "[run]", "[rum]\nsteps = 1\n[run]",
      "scene.toml:22:2: unknown key \"rum\" at the top level; did you mean \"run\"? known keys: cells, contact, "
-     "coupling, domain, flow, fluid, lineage, openings, output, placement, run, schema_version, solver, title"},
+     "coupling, domain, flow, fluid, lineage, openings, output, placement, quality, run, schema_version, solver, title"},
     {"MisspeltWord", "\"shear_box\"", "\"shearbox\"",
      "scene.toml:5:8: domain.kind: unknown word \"shearbox\"; did you mean \"shear_box\"? allowed: tube, shear_box, "
      "plates, periodic_box, vessel"},
