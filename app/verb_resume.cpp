@@ -43,13 +43,14 @@ void require_same_scene(const ResumeOptions& options, const flow::FoundCheckpoin
   const std::string tables = flow::differences(found.header.scene, flow::scene_marks(scene));
   if (tables.empty()) return;
   throw text::InputError(found.file->path().string() + " is of another scene than " + options.scene_file() +
-                         ": not the same in " + tables + "; put back the scene.toml that the run wrote");
+                         ": not the same in " + tables +
+                         "; put back the scene.toml that the run wrote, and the files that it names");
 }
 
 void require_same_types(const flow::FoundCheckpoint& found, const flow::Setup& setup) {
   const std::string types = flow::differences(found.header.types, flow::type_marks(setup));
   if (types.empty()) return;
-  throw text::InputError(found.file->path().string() + ": the material or mesh of the cells " + types +
+  throw text::InputError(found.file->path().string() + ": the material, mesh or body of the cells " + types +
                          " is not what it was; put back the files that the run was started with");
 }
 

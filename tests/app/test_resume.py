@@ -3,9 +3,11 @@
 import csv
 import json
 import os
+import pathlib
 import random
 import re
 import resource
+import shutil
 import signal
 import struct
 import subprocess
@@ -153,7 +155,48 @@ def test_a_changed_material_is_refused(program, scene, tmp_path):
     assert count == 1
     material.write_text(changed)
     result = program("resume", folder, "--set", "run.steps=20")
-    assert result.returncode == 2 and "the material or mesh of the cells [rbc] is not what it was" in result.stderr
+    assert result.returncode == 2 and "the material, mesh or body of the cells [rbc] is not what it was" in result.stderr
+
+
+def test_a_changed_body_is_refused(program, tmp_path):
+    """Of Palabos-npFEM: only its constraints.csv knows how stiff it is."""
+    shared = pathlib.Path(os.environ.get("NPFEM_SHARED", "/nowhere")) / "data" / "palabos-npfem"
+    if not shared.exists():
+        pytest.skip("no files of the lineage in %s" % shared)
+    lineage, folder = tmp_path / "lineage", tmp_path / "run"
+    shutil.copytree(shared, lineage, ignore=shutil.ignore_patterns("*.tar.gz", "reference_runs"))
+    assert program("import", lineage / "obstacle_params.xml", "-o", lineage / "obstacle.toml").returncode == 0
+    run = program("run", lineage / "obstacle.toml", "-o", folder, "--quiet", "--set", "run.steps=2", "--set",
+                  "output.checkpoint_every=2", "--set", "output.fluid=false")
+    assert run.returncode == 0, run.stderr
+    body = pathlib.Path(re.search(r'body_folder = "(.*)"', (folder / "scene.toml").read_text()).group(1))
+    rows = (body / "constraints.csv").read_text().splitlines(keepends=True)
+    stiffer = [re.sub(r"^(Bending,[^,]*,)[^,]*", r"\g<1>50", row) for row in rows]
+    assert stiffer != rows
+    (body / "constraints.csv").write_text("".join(stiffer))
+    result = program("resume", folder, "--set", "run.steps=4")
+    assert result.returncode == 2 and "material, mesh or body of the cells [" in result.stderr, result.stderr
+    (body / "constraints.csv").write_text("".join(rows))
+    assert program("resume", folder, "--set", "run.steps=4", "--quiet").returncode == 0
+
+
+def test_a_changed_wall_is_refused(program, scene, tmp_path):
+    def ball(size):
+        assert program("mesh", "sphere", "--level", "2", "--size", size, "-o", tmp_path / "ball.stl").returncode == 0
+
+    ball("2 um")
+    wall = '[[domain.solids]]\nshape = "surface"\nsurface = "ball.stl"\nsurface_shift = ["6 um", "5 um", "5 um"]\n'
+    scene.write_text(scene.read_text().replace("[fluid]", wall + "\n[fluid]").replace('start = "developed"\n', ""))
+    folder = tmp_path / "run"
+    run = program("run", scene, "-o", folder, *PIECES)
+    assert run.returncode == 0, run.stderr
+    ball("2.2 um")
+    before = contents_of(folder)
+    result = program("resume", folder, "--set", "run.steps=20")
+    assert result.returncode == 2 and "not the same in [domain.solids[0].surface]" in result.stderr, result.stderr
+    assert contents_of(folder) == before
+    ball("2 um")
+    assert program("resume", folder, "--set", "run.steps=20", "--quiet").returncode == 0
 
 
 def test_only_run_and_output_can_be_set(program, stopped):
