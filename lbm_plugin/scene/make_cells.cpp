@@ -160,8 +160,7 @@ void place_stored_cells(Scene& scene) {
     }
     for (int n = 0; n < stored.count(); ++n) {
       const auto xyz = stored.cell(n);
-      Vec3 centre{};
-      for (std::size_t i = 0; i < xyz.size(); ++i) centre[i % 3] += xyz[i] / stored.vertices;
+      const Vec3 centre = shape_of(xyz, its.triangles).centre;
       scene.setup.cells.push_back({static_cast<int>(type), centre, identity_rotation, {xyz.begin(), xyz.end()}});
       require_inside(scene, scene.setup.cells.back(), static_cast<int>(scene.setup.cells.size()) - 1);
     }

@@ -26,7 +26,8 @@ struct CellType {
   double interior_viscosity_ratio = 1;  ///< viscosity of the fluid inside over that outside
 };
 
-/// Where one cell starts: its shape turned by `rotation` (row-major), then moved to `centre` (um).
+/// Where one cell starts: its shape turned by `rotation` (row-major), then moved to `centre` (um), the centroid of its
+/// volume.
 struct CellStart {
   int type;
   Vec3 centre;
