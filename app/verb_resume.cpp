@@ -10,6 +10,7 @@
 #include "checkpoint/run_checkpoints.h"
 #include "file.h"
 #include "quantity.h"
+#include "run_lock.h"
 #include "scene/make_cells.h"
 #include "scene/scene.h"
 #include "session.h"
@@ -84,6 +85,15 @@ void load_cells(const flow::FoundCheckpoint& found, flow::Scene& scene) {
   }
 }
 
+/// From here on no other job changes what is in the folder.
+std::unique_ptr<RunLock> lock_folder(Session& session, const ResumeOptions& options) {
+  on_first_rank(session, [&] {
+    if (std::filesystem::exists(options.scene_file())) return;
+    throw text::FileError("there is no run to go on with: \"" + options.scene_file() + "\" does not exist");
+  });
+  return lock_run(session, options.folder);
+}
+
 flow::FoundCheckpoint find(Session& session, const ResumeOptions& options) {
   flow::FoundCheckpoint found = flow::newest_checkpoint(session.communicator, options.folder);
   if (session.first()) {
@@ -98,6 +108,7 @@ int resume(Session& session, const ResumeOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   if (!options.loop.walltime.empty()) parse_walltime(options.loop.walltime);
   require_harmless(options.assignments);
+  const auto lock = lock_folder(session, options);
   std::optional<flow::Scene> scene;
   on_all_ranks(session, [&] { scene.emplace(flow::read_scene(options.scene_file(), options.assignments)); });
   const flow::FoundCheckpoint found = find(session, options);
