@@ -12,6 +12,7 @@
 #include "quantity.h"
 #include "run_lock.h"
 #include "scene/make_cells.h"
+#include "scene/memory_need.h"
 #include "scene/scene.h"
 #include "session.h"
 #include "simulation/agreed_backend.h"
@@ -75,9 +76,10 @@ std::string backend_for(Session& session, const ResumeOptions& options, const st
   return here;
 }
 
-void load_cells(const flow::FoundCheckpoint& found, flow::Scene& scene) {
+void load_cells(const flow::FoundCheckpoint& found, flow::Scene& scene, double share) {
   flow::make_types(scene);
   require_same_types(found, scene.setup);
+  flow::require_memory(scene, flow::cell_counts(scene), share, flow::machine_memory());
   scene.setup.cells = flow::load_placed(*found.file);
   for (const flow::CellStart& cell : scene.setup.cells) {
     if (cell.type >= 0 && cell.type < std::ssize(scene.setup.types)) continue;
@@ -114,7 +116,8 @@ int resume(Session& session, const ResumeOptions& options) {
   const flow::FoundCheckpoint found = find(session, options);
   on_all_ranks(session, [&] { require_same_scene(options, found, *scene); });
   scene->setup.backend = backend_for(session, options, found.header.backend);
-  on_all_ranks(session, [&] { load_cells(found, *scene); });
+  const double share = share_on_this_machine(session);
+  on_all_ranks(session, [&] { load_cells(found, *scene, share); });
   std::optional<flow::Simulation> simulation;
   on_all_ranks(session, [&] {
     try {

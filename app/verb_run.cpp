@@ -9,6 +9,7 @@
 #include "output/run_output.h"
 #include "run_lock.h"
 #include "scene/make_cells.h"
+#include "scene/memory_need.h"
 #include "scene/scene.h"
 #include "scene_options.h"
 #include "session.h"
@@ -32,8 +33,10 @@ flow::Scene load(Session& session, const SceneOptions& options) {
   std::optional<flow::Scene> scene;
   on_all_ranks(session, [&] { scene.emplace(flow::read_scene(options.path, options.assignments)); });
   scene->setup.backend = flow::agreed_backend(session.communicator, scene->setup.backend);
+  const double share = share_on_this_machine(session);
   on_all_ranks(session, [&] {
     flow::make_types(*scene);
+    flow::require_memory(*scene, flow::cell_counts(*scene), share, flow::machine_memory());
     flow::place_scene_cells(*scene);
   });
   return std::move(*scene);

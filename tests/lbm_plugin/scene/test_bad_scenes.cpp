@@ -108,6 +108,7 @@ const BadScene absurd_numbers[] = {
      "scene.toml:10:21: fluid.dynamic_viscosity: with a density of 1e30 kg/m3 and a time step of 0.1 us the "
      "relaxation time of the lattice is no more than 1/2 step, where the viscosity is zero: is the density, the "
      "viscosity or the time step mistyped?"},
+    {"MeshFinerThanAnything", "level = 2", "level = 6", "scene.toml:19:9: cells[0].level: 6 is not allowed: 1 to 5"},
 };
 
 const BadScene wrong_choices[] = {
