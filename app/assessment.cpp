@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "communicator/serial_communicator.h"
 #include "contact/surface_crossing.h"
 #include "coupling/cell_population.h"
 
@@ -24,7 +25,8 @@ std::string warning_of_crossings(const flow::Scene& scene) {
     const flow::CellType& type = setup.types[static_cast<std::size_t>(cell.type)];
     surfaces.push_back({static_cast<int>(id), cell.type, flow::start_positions(cell, type)});
   }
-  const std::int64_t crossings = given ? flow::count_crossings(setup.domain, setup.types, surfaces) : 0;
+  flow::SerialCommunicator alone;
+  const std::int64_t crossings = given ? flow::count_crossings(setup.domain, setup.types, alone, surfaces) : 0;
   if (crossings == 0) return "";
   return "cells start through each other: " + std::to_string(crossings) +
          " pairs of triangles cross; npfem pack makes a start without";

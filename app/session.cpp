@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "session.h"
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
 #include <stdexcept>
+#include <vector>
 
 #include "file.h"
 #include "quantity.h"
@@ -47,6 +53,14 @@ bool is_bad_input(const api::Failure& failure) {
     default:
       return false;
   }
+}
+
+double share_on_this_machine(Session& session) {
+  std::array<char, 256> name{};
+  gethostname(name.data(), name.size() - 1);
+  const flow::Bytes own(std::as_bytes(std::span(name)).begin(), std::as_bytes(std::span(name)).end());
+  const std::vector<flow::Bytes> names = session.communicator.all_gather(own);
+  return static_cast<double>(std::count(names.begin(), names.end(), own)) / static_cast<double>(names.size());
 }
 
 void on_all_ranks(Session& session, const std::function<void()>& work) {

@@ -49,6 +49,9 @@ std::unique_ptr<flow::Communicator> make_communicator(int* argc, char*** argv);
 /// True for a call of the cell solver that failed because of what it was given.
 bool is_bad_input(const api::Failure& failure);
 
+/// The part of the ranks that run on this machine, between 0 and 1. Collective.
+double share_on_this_machine(Session& session);
+
 /// Runs `work` on every rank. Input that one rank cannot use is an InputError on all of them.
 void on_all_ranks(Session& session, const std::function<void()>& work);
 /// Runs `work` on the first rank only; the others wait and share the outcome.

@@ -33,6 +33,14 @@ struct PackOptions {
   SceneOptions scene;
   std::string output;
   bool overwrite = false, quiet = false, json = false;
+
+  std::string cells_path() const { return beside(".cells"); }
+  std::string summary_path() const { return beside(".json"); }
+
+ private:
+  std::string beside(const char* ending) const {
+    return std::filesystem::path(output).replace_extension(ending).string();
+  }
 };
 
 double seconds_since(Clock::time_point start) {
@@ -83,8 +91,14 @@ flow::Scene load(const PackOptions& options) {
   return scene;
 }
 
-void require_free(const PackOptions& options, const std::string& cells_path) {
-  for (const std::string& path : {options.output, cells_path}) {
+/// The names of the cells file and of the summary follow from that of the scene.
+void require_free(const PackOptions& options) {
+  if (std::filesystem::path(options.output).extension() != ".toml") {
+    throw text::InputError("-o \"" + options.output +
+                           "\": give the packed scene a name that ends in .toml; its cells (.cells) and the summary "
+                           "(.json) are put beside it");
+  }
+  for (const std::string& path : {options.output, options.cells_path(), options.summary_path()}) {
     if (options.overwrite || !std::filesystem::exists(path)) continue;
     throw text::FileError("\"" + path + "\" exists; choose another name, or replace it with --overwrite");
   }
@@ -147,19 +161,18 @@ void print(const Json& s, const std::string& path) {
 }
 
 /// The scene with its files by their full paths, so that it may lie anywhere, and with the packed cells beside it.
-void write(const PackOptions& options, const std::string& cells_path, flow::Scene& scene,
-           const flow::PackedCells& packed, const std::string& json) {
+void write(const PackOptions& options, flow::Scene& scene, const flow::PackedCells& packed, const std::string& json) {
+  const std::string cells_path = options.cells_path();
   flow::write_cells_file(cells_path, stored(scene.setup, packed.cells));
   flow::resolved_text(scene);
   scene.document.set("placement.file", text::toml_string(std::filesystem::path(cells_path).filename().string()));
   text::write_file(options.output, scene.document.to_toml());
-  text::write_file(std::filesystem::path(options.output).replace_extension(".json").string(), json);
+  text::write_file(options.summary_path(), json);
 }
 
 int pack(const PackOptions& options) {
-  const std::string cells_path = std::filesystem::path(options.output).replace_extension(".cells").string();
+  require_free(options);
   flow::Scene scene = load(options);
-  require_free(options, cells_path);
   const std::vector<int> counts = flow::cell_counts(scene);
   const Clock::time_point start = Clock::now();
   const int threads = threads_to_use();
@@ -183,7 +196,7 @@ int pack(const PackOptions& options) {
     return failed;
   }
   const std::string json = summary_of(scene, counts, packed, seconds_since(start)).dump(2) + "\n";
-  write(options, cells_path, scene, packed, json);
+  write(options, scene, packed, json);
   if (options.json) std::cout << json;
   if (!options.json && !options.quiet) print(Json::parse(json), options.output);
   return done;
@@ -202,7 +215,9 @@ Action add_pack(CLI::App& program) {
   const auto options = std::make_shared<PackOptions>();
   CLI::App* command = program.add_subcommand("pack", "pack the cells of a scene at its haematocrit");
   options->scene.add_to(*command);
-  command->add_option("-o,--output", options->output, "the packed scene (.toml); its cells are put beside it (.cells)")
+  command
+      ->add_option("-o,--output", options->output,
+                   "the packed scene (.toml); its cells (.cells) and the summary (.json) are put beside it")
       ->required();
   command->add_flag("--overwrite", options->overwrite, "replace files that are there");
   command->add_flag("--quiet", options->quiet, "no progress, no closing lines");

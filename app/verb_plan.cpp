@@ -8,6 +8,7 @@
 
 #include "assessment.h"
 #include "scene/make_cells.h"
+#include "scene/memory_need.h"
 #include "scene/scene.h"
 #include "scene_options.h"
 #include "session.h"
@@ -24,28 +25,9 @@ constexpr double nodes_per_second = 45e6;
 constexpr double vertex_steps_per_second = 1.0e6;
 constexpr double gain_of_single_precision = 1.6;  // of the fluid
 
-/// Populations of a fluid node, and with cells force and velocity; strips of eight nodes are stored whole.
-double fluid_bytes(const flow::Setup& setup, double fluid_nodes, bool cells) {
-  constexpr double stored_per_fluid_node = 1.15;
-  const double number = setup.fluid_precision == flow::FluidPrecision::in_float ? 4 : 8;
-  return stored_per_fluid_node * fluid_nodes * number * (cells ? 19 + 6 : 19);
-}
-
 double fluid_rate(const flow::Setup& setup) {
   const bool single = setup.fluid_precision == flow::FluidPrecision::in_float;
   return single ? gain_of_single_precision * nodes_per_second : nodes_per_second;
-}
-// numbers kept per vertex of a cell: its fields, and the solver's vectors and history
-constexpr double bytes_per_vertex = 8.0 * 70;
-
-std::int64_t count_fluid_nodes(const flow::Domain& domain) {
-  std::int64_t fluid = 0;
-  for (int k = 0; k < domain.nodes[2]; ++k) {
-    for (int j = 0; j < domain.nodes[1]; ++j) {
-      for (int i = 0; i < domain.nodes[0]; ++i) fluid += domain.node_kind({i, j, k}) == 0 ? 1 : 0;
-    }
-  }
-  return fluid;
 }
 
 const char* name_of(flow::DomainKind kind) {
@@ -110,7 +92,8 @@ Json describe(const flow::Scene& scene) {
   const flow::Setup& setup = scene.setup;
   const std::vector<int> counts = cell_counts(scene);
   const flow::Units units{setup.domain.dx, setup.time_step, setup.density};
-  const std::int64_t fluid_nodes = count_fluid_nodes(setup.domain);
+  const flow::FluidNodes fluid_nodes = flow::fluid_nodes(setup.domain);
+  const flow::MemoryNeed memory = flow::memory_need(scene, fluid_nodes, counts);
   double vertices = 0;
   for (std::size_t type = 0; type < counts.size(); ++type) {
     vertices += static_cast<double>(counts[type]) * setup.types[type].model->vertices();
@@ -123,7 +106,8 @@ Json describe(const flow::Scene& scene) {
             {"size_um", setup.domain.size()},
             {"dx_um", setup.domain.dx},
             {"nodes", n},
-            {"fluid_nodes", fluid_nodes},
+            {"fluid_nodes", fluid_nodes.count},
+            {"fluid_nodes_counted", fluid_nodes.exact},
             {"fluid_volume_um3", setup.domain.fluid_volume()}}},
           {"fluid",
            {{"density_kg_per_m3", setup.density},
@@ -145,10 +129,11 @@ Json describe(const flow::Scene& scene) {
           {"cells", describe_cells(scene, counts)},
           {"run", {{"steps", scene.steps}, {"time_us", static_cast<double>(scene.steps) * setup.time_step}}},
           {"memory_MB",
-           {{"fluid", 1e-6 * fluid_bytes(setup, static_cast<double>(fluid_nodes), vertices > 0)},
-            {"cells", vertices * bytes_per_vertex * 1e-6}}},
+           {{"fluid", 1e-6 * memory.fluid},
+            {"cells", 1e-6 * memory.cells},
+            {"of_this_machine", 1e-6 * flow::machine_memory()}}},
           {"seconds_per_step_on_one_core",
-           {{"fluid", static_cast<double>(fluid_nodes) / fluid_rate(setup)},
+           {{"fluid", static_cast<double>(fluid_nodes.count) / fluid_rate(setup)},
             {"cells", vertices / vertex_steps_per_second / setup.coupling.steps_per_solve}}},
           {"limits", limits_as_json(limits_of(scene))}};
 }
@@ -189,8 +174,9 @@ void print_active(const Json& plan) {
 void print(const Json& plan, const flow::Scene& scene) {
   const auto& n = scene.setup.domain.nodes;
   std::printf("%s\n", scene.title.c_str());
-  std::printf("domain    %s, %d x %d x %d nodes of %.4g um, %.0f of them fluid\n",
+  std::printf("domain    %s, %d x %d x %d nodes of %.4g um, %s%.0f of them fluid\n",
               plan.at("domain").at("kind").get<std::string>().c_str(), n[0], n[1], n[2], scene.setup.domain.dx,
+              plan.at("domain").at("fluid_nodes_counted").get<bool>() ? "" : "about ",
               number(plan, "domain", "fluid_nodes"));
   std::printf("fluid     tau %.4g, time step %.4g us, kinematic viscosity %.4g mm2/s\n", number(plan, "fluid", "tau"),
               scene.setup.time_step, scene.setup.kinematic_viscosity);
@@ -201,8 +187,11 @@ void print(const Json& plan, const flow::Scene& scene) {
   const double seconds =
       number(plan, "seconds_per_step_on_one_core", "fluid") + number(plan, "seconds_per_step_on_one_core", "cells");
   std::printf("run       %lld steps, %.4g us\n", static_cast<long long>(scene.steps), number(plan, "run", "time_us"));
-  std::printf("memory    about %.0f MB fluid, %.1f MB cells\n", number(plan, "memory_MB", "fluid"),
-              number(plan, "memory_MB", "cells"));
+  const double need = number(plan, "memory_MB", "fluid") + number(plan, "memory_MB", "cells");
+  const double memory = number(plan, "memory_MB", "of_this_machine");
+  std::printf("memory    about %.0f MB fluid, %.1f MB cells; this machine has %.0f MB%s\n",
+              number(plan, "memory_MB", "fluid"), number(plan, "memory_MB", "cells"), memory,
+              need > memory ? ", too little for it" : "");
   std::printf("cost      about %.3g s per step on one core (fluid %.3g, cells %.3g), %.3g s in all\n", seconds,
               number(plan, "seconds_per_step_on_one_core", "fluid"),
               number(plan, "seconds_per_step_on_one_core", "cells"), seconds * static_cast<double>(scene.steps));

@@ -10,7 +10,9 @@
 #include "checkpoint/run_checkpoints.h"
 #include "file.h"
 #include "quantity.h"
+#include "run_lock.h"
 #include "scene/make_cells.h"
+#include "scene/memory_need.h"
 #include "scene/scene.h"
 #include "session.h"
 #include "simulation/agreed_backend.h"
@@ -43,13 +45,14 @@ void require_same_scene(const ResumeOptions& options, const flow::FoundCheckpoin
   const std::string tables = flow::differences(found.header.scene, flow::scene_marks(scene));
   if (tables.empty()) return;
   throw text::InputError(found.file->path().string() + " is of another scene than " + options.scene_file() +
-                         ": not the same in " + tables + "; put back the scene.toml that the run wrote");
+                         ": not the same in " + tables +
+                         "; put back the scene.toml that the run wrote, and the files that it names");
 }
 
 void require_same_types(const flow::FoundCheckpoint& found, const flow::Setup& setup) {
   const std::string types = flow::differences(found.header.types, flow::type_marks(setup));
   if (types.empty()) return;
-  throw text::InputError(found.file->path().string() + ": the material or mesh of the cells " + types +
+  throw text::InputError(found.file->path().string() + ": the material, mesh or body of the cells " + types +
                          " is not what it was; put back the files that the run was started with");
 }
 
@@ -73,14 +76,24 @@ std::string backend_for(Session& session, const ResumeOptions& options, const st
   return here;
 }
 
-void load_cells(const flow::FoundCheckpoint& found, flow::Scene& scene) {
+void load_cells(const flow::FoundCheckpoint& found, flow::Scene& scene, double share) {
   flow::make_types(scene);
   require_same_types(found, scene.setup);
+  flow::require_memory(scene, flow::cell_counts(scene), share, flow::machine_memory());
   scene.setup.cells = flow::load_placed(*found.file);
   for (const flow::CellStart& cell : scene.setup.cells) {
     if (cell.type >= 0 && cell.type < std::ssize(scene.setup.types)) continue;
     throw text::InputError(found.file->path().string() + ": has a cell of a type that the scene does not have");
   }
+}
+
+/// From here on no other job changes what is in the folder.
+std::unique_ptr<RunLock> lock_folder(Session& session, const ResumeOptions& options) {
+  on_first_rank(session, [&] {
+    if (std::filesystem::exists(options.scene_file())) return;
+    throw text::FileError("there is no run to go on with: \"" + options.scene_file() + "\" does not exist");
+  });
+  return lock_run(session, options.folder);
 }
 
 flow::FoundCheckpoint find(Session& session, const ResumeOptions& options) {
@@ -97,12 +110,14 @@ int resume(Session& session, const ResumeOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   if (!options.loop.walltime.empty()) parse_walltime(options.loop.walltime);
   require_harmless(options.assignments);
+  const auto lock = lock_folder(session, options);
   std::optional<flow::Scene> scene;
   on_all_ranks(session, [&] { scene.emplace(flow::read_scene(options.scene_file(), options.assignments)); });
   const flow::FoundCheckpoint found = find(session, options);
   on_all_ranks(session, [&] { require_same_scene(options, found, *scene); });
   scene->setup.backend = backend_for(session, options, found.header.backend);
-  on_all_ranks(session, [&] { load_cells(found, *scene); });
+  const double share = share_on_this_machine(session);
+  on_all_ranks(session, [&] { load_cells(found, *scene, share); });
   std::optional<flow::Simulation> simulation;
   on_all_ranks(session, [&] {
     try {

@@ -7,7 +7,9 @@
 #include "assessment.h"
 #include "file.h"
 #include "output/run_output.h"
+#include "run_lock.h"
 #include "scene/make_cells.h"
+#include "scene/memory_need.h"
 #include "scene/scene.h"
 #include "scene_options.h"
 #include "session.h"
@@ -31,14 +33,17 @@ flow::Scene load(Session& session, const SceneOptions& options) {
   std::optional<flow::Scene> scene;
   on_all_ranks(session, [&] { scene.emplace(flow::read_scene(options.path, options.assignments)); });
   scene->setup.backend = flow::agreed_backend(session.communicator, scene->setup.backend);
+  const double share = share_on_this_machine(session);
   on_all_ranks(session, [&] {
     flow::make_types(*scene);
+    flow::require_memory(*scene, flow::cell_counts(*scene), share, flow::machine_memory());
     flow::place_scene_cells(*scene);
   });
   return std::move(*scene);
 }
 
-void prepare_folder(Session& session, const RunOptions& options, flow::Scene& scene) {
+/// Makes the folder where it is missing, and locks it before anything in it is touched.
+std::unique_ptr<RunLock> lock_folder(Session& session, const RunOptions& options) {
   on_first_rank(session, [&] {
     std::error_code error;
     if (std::filesystem::equivalent(std::filesystem::absolute(options.scene.path).parent_path(), options.folder,
@@ -46,9 +51,9 @@ void prepare_folder(Session& session, const RunOptions& options, flow::Scene& sc
       throw text::FileError("output folder \"" + options.folder + "\" is the one the scene lies in; the run would " +
                             "replace it by the resolved scene; choose another folder");
     }
-    flow::prepare_output_folder(options.folder, options.overwrite);
-    text::write_file(options.folder + "/scene.toml", flow::resolved_text(scene));
+    flow::make_output_folder(options.folder);
   });
+  return lock_run(session, options.folder);
 }
 
 int run(Session& session, const RunOptions& options) {
@@ -59,7 +64,11 @@ int run(Session& session, const RunOptions& options) {
   if (!warning.empty()) std::cerr << "npfem: " << warning << "\n";
   std::optional<flow::Simulation> simulation;
   on_all_ranks(session, [&] { simulation.emplace(scene.setup, session.communicator); });
-  prepare_folder(session, options, scene);
+  const auto lock = lock_folder(session, options);
+  on_first_rank(session, [&] {
+    flow::prepare_output_folder(options.folder, options.overwrite);
+    text::write_file(options.folder + "/scene.toml", flow::resolved_text(scene));
+  });
   return carry_out(session, options.loop, {scene, *simulation, options.folder, {}, 0, start});
 }
 

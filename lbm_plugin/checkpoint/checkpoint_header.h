@@ -15,7 +15,7 @@ namespace npfem::flow {
 struct CheckpointHeader {
   // what it was made from
   using Marks = std::vector<std::pair<std::string, std::string>>;  // name, hash
-  Marks scene;          ///< the tables of the resolved scene that physics depends on
+  Marks scene;          ///< what scene_marks() says: tables that physics depends on, surfaces
   Marks types;          ///< of cells: mesh and material
   std::string backend;  ///< of the cell solver, with its instruction set: "cpu-avx2"
   std::string version;  ///< of the program

@@ -51,6 +51,7 @@ CheckpointHeader::Marks scene_marks(Scene& scene) {
     table->second += line + '\n';
   }
   for (auto& table : tables) table.second = mark_of(table.second);
+  for (const auto& [key, file] : surface_files(scene)) tables.emplace_back(key, mark_of(text::read_file(file)));
   return tables;
 }
 

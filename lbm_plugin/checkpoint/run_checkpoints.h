@@ -15,7 +15,8 @@
 
 namespace npfem::flow {
 
-/// The tables of the resolved scene that physics depends on: all but [run] and [output].
+/// The tables of the resolved scene that physics depends on, all but [run] and [output], and the content of the STL
+/// files of its walls, by the keys that name them.
 CheckpointHeader::Marks scene_marks(Scene& scene);
 /// The types of cells of a setup.
 CheckpointHeader::Marks type_marks(const Setup& setup);

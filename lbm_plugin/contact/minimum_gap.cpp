@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numbers>
 
@@ -29,13 +28,7 @@ Vec3 vertex(const CellSurface& cell, std::size_t v) {
   return {cell.positions[3 * v], cell.positions[3 * v + 1], cell.positions[3 * v + 2]};
 }
 
-Bounds bounds_of(const CellSurface& cell) {
-  Bounds bounds;
-  for (std::size_t v = 0; v < cell.positions.size() / 3; ++v) bounds.include(vertex(cell, v));
-  return bounds;
-}
-
-std::vector<BoundedTriangle> triangles_of(const CellSurface& cell, const std::vector<std::int32_t>& ids) {
+std::vector<BoundedTriangle> triangles_of(const CellSurface& cell, std::span<const std::int32_t> ids) {
   std::vector<BoundedTriangle> triangles;
   triangles.reserve(ids.size() / 3);
   for (std::size_t t = 0; t < ids.size(); t += 3) {
@@ -119,34 +112,26 @@ double nearest(const CellSurface& cell, const Vec3& shift, const Target& target,
   return best;
 }
 
-/// The gap between the cells of one rank and all others, sought among pairs whose boxes come near each other.
+/// The gap between the cells of one rank and those around it.
 class GapSearch {
  public:
-  GapSearch(const Domain& domain, std::span<const CellType> types, std::vector<CellSurface> all,
-            std::span<const CellSurface> own)
-      : domain_(domain), types_(types), all_(std::move(all)), triangles_(all_.size()), box_pairs_(domain) {
-    for (const CellType& type : types) surfaces_.emplace_back(type.shape, type.triangles);
-    std::vector<int> ids;
-    for (const CellSurface& cell : own) ids.push_back(cell.id);
-    std::sort(ids.begin(), ids.end());
-    for (const CellSurface& cell : all_) {
-      boxes_.push_back(bounds_of(cell));
-      is_own_.push_back(std::binary_search(ids.begin(), ids.end(), cell.id));
-      whole_.include(boxes_.back());
+  GapSearch(const Domain& domain, std::span<const CellType> types, const Surroundings& around)
+      : domain_(domain), all_(around.cells), is_own_(around.is_own), triangles_(all_.size()) {
+    for (const CellType& type : types) {
+      surfaces_.emplace_back(type.shape, type.triangles);
+      ids_.push_back(type.triangles);
     }
+    for (const CellSurface& cell : all_) boxes_.push_back(bounds_of(cell));
   }
 
-  /// Farther and farther afield, until nothing that was not looked at can be nearer than what was found. Cells whose
-  /// boxes overlap are always looked at: one may be inside the other, and so below any gap.
-  double run() {
-    if (std::find(is_own_.begin(), is_own_.end(), true) == is_own_.end()) return kInfinity;
+  /// Among the pairs whose boxes come within reach of each other. Cells whose boxes overlap are always looked at: one
+  /// may be inside the other, and so below any gap.
+  double run(double reach) {
+    std::vector<BoxPair> pairs;
+    BoxPairs(domain_).find(boxes_, reach, pairs);
     double best = kInfinity;
-    const double farthest = norm(add(subtract(whole_.high, whole_.low), domain_.size()));
-    for (double reach = 0.1 * norm(subtract(boxes_[0].high, boxes_[0].low));; reach *= 4) {
-      box_pairs_.find(boxes_, reach, pairs_);
-      for (const BoxPair& pair : pairs_) best = nearest_of(pair, best);
-      if (best <= reach || reach > farthest) return best;
-    }
+    for (const BoxPair& pair : pairs) best = nearest_of(pair, best);
+    return best;
   }
 
  private:
@@ -161,20 +146,17 @@ class GapSearch {
 
   Target target(std::size_t cell) {
     const auto type = static_cast<std::size_t>(all_[cell].type);
-    if (triangles_[cell].empty()) triangles_[cell] = triangles_of(all_[cell], types_[type].triangles);
+    if (triangles_[cell].empty()) triangles_[cell] = triangles_of(all_[cell], ids_[type]);
     return {all_[cell], surfaces_[type], boxes_[cell], triangles_[cell]};
   }
 
   const Domain& domain_;
-  std::span<const CellType> types_;
-  std::vector<CellSurface> all_;
-  std::vector<ClosedSurface> surfaces_;  // by type
-  std::vector<std::vector<BoundedTriangle>> triangles_;
+  const std::vector<CellSurface>& all_;
+  const std::vector<bool>& is_own_;
+  std::vector<ClosedSurface> surfaces_;                  // by type
+  std::vector<std::span<const std::int32_t>> ids_;       // of its triangles' corners, by type
+  std::vector<std::vector<BoundedTriangle>> triangles_;  // by cell
   std::vector<Bounds> boxes_;
-  std::vector<bool> is_own_;
-  Bounds whole_;
-  BoxPairs box_pairs_;
-  std::vector<BoxPair> pairs_;
 };
 
 double smallest(Communicator& communicator, double value) {
@@ -184,33 +166,26 @@ double smallest(Communicator& communicator, double value) {
 
 }  // namespace
 
-std::vector<CellSurface> all_cells(std::span<const CellType> types, Communicator& communicator,
-                                   std::span<const CellSurface> own) {
-  Bytes packed;
-  for (const CellSurface& cell : own) {
-    const std::array<int, 2> tag{cell.id, cell.type};
-    append<int>(packed, tag);
-    append<double>(packed, cell.positions);
-  }
-  std::vector<CellSurface> all;
-  for (const Bytes& bytes : communicator.all_gather(packed)) {
-    for (std::size_t at = 0; at < bytes.size();) {
-      std::array<int, 2> tag;
-      std::memcpy(tag.data(), bytes.data() + at, sizeof tag);
-      at += sizeof tag;
-      CellSurface& cell = all.emplace_back(CellSurface{tag[0], tag[1], {}});
-      cell.positions.resize(types[static_cast<std::size_t>(cell.type)].shape.size());
-      const std::size_t length = cell.positions.size() * sizeof(double);
-      std::memcpy(cell.positions.data(), bytes.data() + at, length);
-      at += length;
-    }
-  }
-  return all;
-}
-
+/// Farther and farther afield, until nothing that was not looked at can be nearer than what was found.
 double smallest_cell_gap(const Domain& domain, std::span<const CellType> types, Communicator& communicator,
                          std::span<const CellSurface> own) {
-  return smallest(communicator, GapSearch(domain, types, all_cells(types, communicator, own), own).run());
+  Bounds whole;  // as far as any cell reaches
+  for (const CellSurface& cell : own) whole.include(bounds_of(cell));
+  communicator.minimum(whole.low);
+  communicator.maximum(whole.high);
+  if (!(whole.low[0] <= whole.high[0])) return kInfinity;
+  double largest = 0;
+  for (const CellSurface& cell : own) {
+    const Bounds box = bounds_of(cell);
+    largest = std::max(largest, norm(subtract(box.high, box.low)));
+  }
+  communicator.maximum(std::span(&largest, 1));
+  const double farthest = norm(add(subtract(whole.high, whole.low), domain.size()));
+  for (double reach = 0.1 * largest;; reach *= 4) {
+    const Surroundings around = surroundings(domain, types, communicator, own, reach);
+    const double best = smallest(communicator, GapSearch(domain, types, around).run(reach));
+    if (best <= reach || reach > farthest) return best;
+  }
 }
 
 double smallest_wall_gap(const Domain& domain, Communicator& communicator, std::span<const CellSurface> own) {

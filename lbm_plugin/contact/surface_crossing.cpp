@@ -43,14 +43,6 @@ std::vector<Piece> pieces_within(const Bounds& box, std::span<const std::int32_t
   return pieces;
 }
 
-Bounds box_of(const CellSurface& cell) {
-  Bounds box;
-  for (std::size_t i = 0; i < cell.positions.size(); i += 3) {
-    box.include(Vec3{cell.positions[i], cell.positions[i + 1], cell.positions[i + 2]});
-  }
-  return box;
-}
-
 }  // namespace
 
 bool segment_crosses(const Vec3& p, const Vec3& q, const Corners& t) {
@@ -60,12 +52,16 @@ bool segment_crosses(const Vec3& p, const Vec3& q, const Corners& t) {
   return first == (volume(p, q, t[1], t[2]) > 0) && first == (volume(p, q, t[2], t[0]) > 0);
 }
 
-std::int64_t count_crossings(const Domain& domain, std::span<const CellType> types,
-                             std::span<const CellSurface> cells) {
+/// Of two cells of different ranks, the rank of the first, by id, counts.
+std::int64_t count_crossings(const Domain& domain, std::span<const CellType> types, Communicator& communicator,
+                             std::span<const CellSurface> own) {
+  const Surroundings around = surroundings(domain, types, communicator, own, 0);
+  const std::vector<CellSurface>& cells = around.cells;
   std::vector<Bounds> boxes;
-  for (const CellSurface& cell : cells) boxes.push_back(box_of(cell));
+  for (const CellSurface& cell : cells) boxes.push_back(bounds_of(cell));
   std::vector<BoxPair> pairs;
   BoxPairs(domain).find(boxes, 0, pairs);
+  std::erase_if(pairs, [&](const BoxPair& pair) { return !around.is_own[static_cast<std::size_t>(pair.first)]; });
   std::int64_t crossings = 0;
   const Vec3 size = domain.size();
   const auto count = static_cast<std::int64_t>(pairs.size());
@@ -86,6 +82,7 @@ std::int64_t count_crossings(const Domain& domain, std::span<const CellType> typ
       }
     }
   }
+  communicator.sum(std::span(&crossings, 1));
   return crossings;
 }
 

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <fstream>
+#include <system_error>
 
 #include "file.h"
 #include "quantity.h"
@@ -30,18 +31,33 @@ std::int64_t step_of(const std::string& file) {
 
 bool Collection::resume(std::int64_t step) {
   std::ifstream collection(path_);
+  const std::filesystem::path folder = path_.parent_path();
+  std::vector<std::filesystem::path> dropped;
   bool present = false;
   for (std::string line; std::getline(collection, line);) {
     const std::string file = attribute(line, "file");
-    if (file.empty() || step_of(file) > step || !std::filesystem::exists(path_.parent_path() / file)) continue;
-    entries_.push_back({attribute(line, "timestep"), file});
-    present = present || step_of(file) == step;
+    if (file.empty()) continue;
+    if (step_of(file) > step) {
+      dropped.push_back(folder / std::filesystem::path(file).filename());
+    } else if (std::filesystem::exists(folder / file)) {
+      entries_.push_back({attribute(line, "timestep"), file});
+      present = present || step_of(file) == step;
+    }
+  }
+  if (!dropped.empty()) write();
+  for (const std::filesystem::path& file : dropped) {
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
   }
   return present;
 }
 
 void Collection::add(double time_us, const std::string& file) {
   entries_.push_back({text::format_number(time_us), file});
+  write();
+}
+
+void Collection::write() const {
   std::string xml =
       "<?xml version=\"1.0\"?>\n<!-- timestep: us -->\n"
       "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n<Collection>\n";

@@ -14,8 +14,9 @@ class Collection {
  public:
   explicit Collection(std::filesystem::path path) : path_(std::move(path)) {}
 
-  /// Takes up the entries of the collection that is there whose files are numbered up to `step`, as far as they exist.
-  /// Returns whether one of them is of that step.
+  /// Takes up the entries of the collection that is there whose files are numbered up to `step`, as far as they exist;
+  /// later ones leave the list, and their files go. Returns whether one of them is of that very step.
+  /// text::FileError where the list cannot be written.
   bool resume(std::int64_t step);
 
   /// Adds a file beside the collection and writes the collection. text::FileError where it cannot.
@@ -26,6 +27,8 @@ class Collection {
     std::string time_us;
     std::string file;
   };
+  void write() const;
+
   std::filesystem::path path_;
   std::vector<Entry> entries_;
 };

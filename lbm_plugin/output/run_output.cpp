@@ -57,9 +57,17 @@ void remove_files(const std::filesystem::path& folder, bool (*unwanted)(std::str
   }
 }
 
+bool holds_nothing(const std::filesystem::path& folder) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (entry.path().filename() != lock_file_name) return false;
+  }
+  return true;
+}
+
 void remove_earlier_run(const std::filesystem::path& folder) {
   std::error_code error;
-  if (!std::filesystem::is_empty(folder, error) && !holds_a_run(folder)) {
+  if (!holds_a_run(folder)) {
     throw text::FileError("output folder \"" + folder.string() +
                           "\" holds files but no run that could be replaced; choose another folder");
   }
@@ -71,23 +79,38 @@ void remove_earlier_run(const std::filesystem::path& folder) {
 
 }  // namespace
 
-void prepare_output_folder(const std::filesystem::path& folder, bool overwrite) {
+void make_output_folder(const std::filesystem::path& folder) {
   std::error_code error;
   if (std::filesystem::exists(folder, error)) {
-    if (!std::filesystem::is_directory(folder)) {
-      throw text::FileError("cannot write to \"" + folder.string() + "\": it is not a folder");
-    }
-    const bool empty = std::filesystem::is_empty(folder, error);
-    if (!empty && !overwrite) {
-      throw text::FileError("the output folder \"" + folder.string() +
-                            "\" is not empty; choose another one, or add --overwrite to replace the run in it");
-    }
-    if (!empty) remove_earlier_run(folder);
-    return;
+    if (std::filesystem::is_directory(folder)) return;
+    throw text::FileError("cannot write to \"" + folder.string() + "\": it is not a folder");
   }
   std::filesystem::create_directories(folder, error);
   if (error) throw text::FileError("cannot create the folder \"" + folder.string() + "\": " + error.message());
 }
+
+void prepare_output_folder(const std::filesystem::path& folder, bool overwrite) {
+  make_output_folder(folder);
+  if (holds_nothing(folder)) return;
+  if (!overwrite) {
+    throw text::FileError("the output folder \"" + folder.string() +
+                          "\" is not empty; choose another one, or add --overwrite to replace the run in it");
+  }
+  remove_earlier_run(folder);
+}
+
+namespace {
+
+/// The step up to which the output of a resumed run stays: of the state it stopped in only what is due there, as if it
+/// had never stopped. Every run shows its first state and its last one.
+std::optional<std::int64_t> kept_up_to(std::optional<std::int64_t> resumed_at, std::int64_t every, const Scene& scene) {
+  if (!resumed_at) return {};
+  const std::int64_t step = *resumed_at;
+  const bool due = step == 0 || step == scene.steps || (every > 0 && step % every == 0);
+  return due ? step : step - 1;
+}
+
+}  // namespace
 
 RunOutput::RunOutput(Communicator& communicator, std::filesystem::path folder, const Scene& scene,
                      std::optional<std::int64_t> resumed_at)
@@ -99,26 +122,30 @@ RunOutput::RunOutput(Communicator& communicator, std::filesystem::path folder, c
       table_{true, scene.output.table_every},
       cells_collection_(folder_ / "cells.pvd"),
       fluid_collection_(folder_ / "fluid.pvd"),
-      cell_table_(communicator, folder_ / "cells.csv", scene.setup, resumed_at),
-      rheology_table_(communicator, folder_ / "rheology.csv", scene.setup, resumed_at) {
+      cell_table_(communicator, folder_ / "cells.csv", scene.setup, kept_up_to(resumed_at, table_.every, scene)),
+      rheology_table_(communicator, folder_ / "rheology.csv", scene.setup,
+                      kept_up_to(resumed_at, table_.every, scene)) {
   if (!scene.setup.cells.empty() && !scene.setup.domain.openings.empty()) {
     departure_table_.emplace(communicator, folder_ / "left.csv");
   }
   on_first_rank([&] { text::write_file((folder_ / "view.py").string(), view_script()); });
-  if (resumed_at) resume(*resumed_at, static_cast<double>(*resumed_at) * scene.setup.time_step);
+  if (resumed_at) resume(*resumed_at, scene);
 }
 
 /// A checkpoint is written after all output of its step: what there is of that step is whole.
-void RunOutput::resume(std::int64_t step, double time_us) {
-  bool cells = false, fluid = false;
-  on_first_rank([&] {
-    cells = cells_collection_.resume(step);
-    fluid = fluid_collection_.resume(step);
-    cells = cut_vtkhdf(folder_ / "cells.vtkhdf", time_us) || cells;
-    fluid = cut_vtkhdf(folder_ / "fluid.vtkhdf", time_us) || fluid;
-  });
-  if (communicator_.any(cells)) cells_.last = step;
-  if (communicator_.any(fluid)) fluid_.last = step;
+void RunOutput::resume(std::int64_t step, const Scene& scene) {
+  const auto take_up = [&](Schedule& schedule, Collection& collection, const char* vtkhdf) {
+    const std::int64_t last = *kept_up_to(step, schedule.every, scene);
+    bool present = false;
+    on_first_rank([&] {
+      if (!schedule.wanted) return;
+      present = collection.resume(last);
+      present = cut_vtkhdf(folder_ / vtkhdf, static_cast<double>(last) * scene.setup.time_step) || present;
+    });
+    if (communicator_.any(present) && last == step) schedule.last = step;
+  };
+  take_up(cells_, cells_collection_, "cells.vtkhdf");
+  take_up(fluid_, fluid_collection_, "fluid.vtkhdf");
   if (std::max(cell_table_.last_step(), rheology_table_.last_step()) == step) table_.last = step;
 }
 

@@ -16,6 +16,12 @@
 
 namespace npfem::flow {
 
+/// Of the file in an output folder by which a run at work keeps others out. It counts as no file below.
+inline constexpr const char* lock_file_name = "run.lock";
+
+/// Makes the folder where it is missing; used by one rank. text::FileError where it cannot.
+void make_output_folder(const std::filesystem::path& folder);
+
 /// Makes the folder ready for a run; used by one rank. A folder that holds anything is refused, unless `overwrite`:
 /// then the files that an earlier run wrote are removed, and nothing else. text::FileError where it cannot be used.
 void prepare_output_folder(const std::filesystem::path& folder, bool overwrite);
@@ -26,7 +32,8 @@ void prepare_output_folder(const std::filesystem::path& folder, bool overwrite);
 class RunOutput {
  public:
   /// With `resumed_at` the files of a run that has come to that step are continued; what it wrote later is dropped
-  /// from tables and collections, and its files are replaced as the run gets there again.
+  /// from tables and collections, and so is its output of that very step where only the stop was its reason: after the
+  /// end there is what a run that never stopped has written.
   RunOutput(Communicator& communicator, std::filesystem::path folder, const Scene& scene,
             std::optional<std::int64_t> resumed_at = {});
 
@@ -43,7 +50,7 @@ class RunOutput {
     std::int64_t last = -1;
     bool due(std::int64_t step) const { return wanted && every > 0 && step % every == 0 && step != last; }
   };
-  void resume(std::int64_t step, double time_us);
+  void resume(std::int64_t step, const Scene& scene);
   void write(const Simulation& simulation, bool cells, bool fluid, bool table);
   void write_cell_files(const Simulation& simulation, std::span<const CellState> local_cells);
   void write_fluid_files(const Simulation& simulation);

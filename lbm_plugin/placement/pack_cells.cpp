@@ -141,7 +141,7 @@ class Packer {
     const std::vector<CellSurface> surfaces = cells.surfaces();
     result_.least_wall_gap = smallest_wall_gap(setup_.domain, alone_, surfaces);
     if (!(result_.least_wall_gap > 0)) return false;
-    result_.crossings = count_crossings(setup_.domain, setup_.types, surfaces);
+    result_.crossings = count_crossings(setup_.domain, setup_.types, alone_, surfaces);
     if (result_.crossings > 0) return false;
     result_.least_gap = gap_of(surfaces);
     if (!(result_.least_gap > 0)) return false;

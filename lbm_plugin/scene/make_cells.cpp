@@ -2,8 +2,10 @@
 #include "scene/make_cells.h"
 
 #include <cmath>
+#include <filesystem>
 #include <numeric>
 
+#include "file.h"
 #include "geometry/cell_shape.h"
 #include "geometry/tweezers_load.h"
 #include "geometry/vec3.h"
@@ -45,13 +47,23 @@ void require_valid_options(const api::Model& model, const Scene& scene) {
   for (const auto& [key, value] : scene.solver_options) none.set(key, value);
 }
 
+/// What a body of Palabos-npFEM is made of, as text: its files whole, since only they know the weights of its energies.
+std::string record_of_body(const CellsRequest& request) {
+  std::string record = "body folder, density " + text::format_quantity(request.body_density, "kg/m3") +
+                       ", volume weight " + text::format_quantity(request.volume_weight, "uN/m") + '\n';
+  for (const char* file : {"points.csv", "surface_connectivity.csv", "constraints.csv", "onSurfaceParticle.csv"}) {
+    record += text::read_file((std::filesystem::path(request.body_folder) / file).string());
+  }
+  return record;
+}
+
 /// `source` names the key to blame where the next call fails; `record` is what the type is made of, as text.
 api::Model model_of(const CellsRequest& request, const char*& source, std::string& record) {
   if (!request.body_folder.empty()) {
     source = "body_folder";
-    record = "body folder, density " + text::format_quantity(request.body_density, "kg/m3") + ", volume weight " +
-             text::format_quantity(request.volume_weight, "uN/m");
-    return api::Model::load_lineage(request.body_folder, request.body_density, request.volume_weight);
+    api::Model model = api::Model::load_lineage(request.body_folder, request.body_density, request.volume_weight);
+    record = record_of_body(request);
+    return model;
   }
   const api::Material material = material_of(request);
   record = text_of(material);
@@ -163,8 +175,7 @@ void place_stored_cells(Scene& scene) {
     }
     for (int n = 0; n < stored.count(); ++n) {
       const auto xyz = stored.cell(n);
-      Vec3 centre{};
-      for (std::size_t i = 0; i < xyz.size(); ++i) centre[i % 3] += xyz[i] / stored.vertices;
+      const Vec3 centre = shape_of(xyz, its.triangles).centre;
       scene.setup.cells.push_back({static_cast<int>(type), centre, identity_rotation, {xyz.begin(), xyz.end()}});
       require_inside(scene, scene.setup.cells.back(), static_cast<int>(scene.setup.cells.size()) - 1);
     }

@@ -86,7 +86,7 @@ CellsRequest read_cells(const text::Table& table, const Scene& scene, const std:
   if (table.has(keys::mesh)) request.mesh_file = path_from(table.text(keys::mesh), folder);
   if (table.has(keys::level)) {
     if (!request.mesh_file.empty()) table.fail("level", "\"mesh\" is given too; a mesh file has no level");
-    request.level = within(table, keys::level, 1, 6);
+    request.level = within(table, keys::level, 1, 5);
   }
   read_number_of_cells(table, scene, request);
   return request;

@@ -82,7 +82,15 @@ void read_fluid(const text::Table& table, Setup& setup) {
     setup.time_step = (tau - 0.5) / 3 * dx * dx / setup.kinematic_viscosity;
   } else {
     setup.time_step = table.quantity(keys::time_step);
-    tau = Units{dx, setup.time_step, setup.density}.relaxation_time(setup.kinematic_viscosity);
+  }
+  // of the numbers as they are used: a viscosity may be too small beside 1/2, or a time step beyond all numbers
+  tau = Units{dx, setup.time_step, setup.density}.relaxation_time(setup.kinematic_viscosity);
+  if (!(tau > 0.5) || !std::isfinite(setup.time_step)) {
+    table.fail(viscosity.name,
+               "with a density of " + format_quantity(setup.density, "kg/m3") + " and a time step of " +
+                   format_quantity(rounded(setup.time_step), "us") +
+                   " the relaxation time of the lattice is no more than 1/2 step, where the viscosity is zero: is the "
+                   "density, the viscosity or the time step mistyped?");
   }
   if (tau > largest_tau) {
     table.fail(clock.name,

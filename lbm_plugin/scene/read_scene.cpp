@@ -144,6 +144,19 @@ Scene read(text::Document document, const std::filesystem::path& folder, const s
 
 }  // namespace
 
+std::vector<std::pair<std::string, std::string>> surface_files(const Scene& scene) {
+  std::vector<std::pair<std::string, std::string>> files;
+  const auto look_in = [&](const Table& table, const std::string& path) {
+    if (!table.has(keys::surface)) return;
+    files.emplace_back(path + ".surface", path_from(table.text(keys::surface), scene.folder));
+  };
+  const Table domain = scene.document.root().table("domain");
+  look_in(domain, "domain");
+  const std::vector<Table> solids = domain.tables("solids");
+  for (std::size_t n = 0; n < solids.size(); ++n) look_in(solids[n], "domain.solids[" + std::to_string(n) + "]");
+  return files;
+}
+
 std::string resolved_text(Scene& scene) {
   const auto quoted = [](const std::string& file) {
     return std::string("'").append(std::filesystem::absolute(file).lexically_normal().string()).append("'");
@@ -156,16 +169,7 @@ std::string resolved_text(Scene& scene) {
     if (!request.body_folder.empty()) scene.document.set(path + "body_folder", quoted(request.body_folder));
   }
   if (!scene.cells_file.empty()) scene.document.set("placement.file", quoted(scene.cells_file));
-  const Table domain = scene.document.root().table("domain");
-  if (domain.has(keys::surface)) {
-    scene.document.set("domain.surface", quoted(path_from(domain.text(keys::surface), scene.folder)));
-  }
-  const std::vector<Table> solids = domain.tables("solids");
-  for (std::size_t n = 0; n < solids.size(); ++n) {
-    if (!solids[n].has(keys::surface)) continue;
-    scene.document.set("domain.solids[" + std::to_string(n) + "].surface",
-                       quoted(path_from(solids[n].text(keys::surface), scene.folder)));
-  }
+  for (const auto& [key, file] : surface_files(scene)) scene.document.set(key, quoted(file));
   return scene.document.to_toml();
 }
 

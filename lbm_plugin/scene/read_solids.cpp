@@ -6,6 +6,7 @@
 #include "file.h"
 #include "geometry/surface_check.h"
 #include "quantity.h"
+#include "scene/memory_need.h"
 #include "scene/read_parts.h"
 #include "scene/scene_keys.h"
 
@@ -103,6 +104,11 @@ SurfaceSolid read_surface(const Table& table, const Domain& domain, const std::f
     table.fail("surface", error.what());
   } catch (const text::InputError& error) {
     table.fail("surface", error.what());
+  }
+  if (const double need = surface_memory(domain); need > machine_memory()) {
+    table.fail("surface", "its distances at all nodes of the box would take " +
+                              text::format_number(rounded(1e-9 * need)) + " GB, and this machine has " +
+                              text::format_number(rounded(1e-9 * machine_memory())) + " GB: take a larger dx");
   }
   const double unit = table.quantity(keys::surface_unit);
   const Vec3 shift = table.vector3(keys::surface_shift);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "placement/cells_file.h"
@@ -76,5 +77,8 @@ Scene parse_scene(const std::string& text, const std::string& name, const std::v
 /// The record of what a run was made from: the scene as TOML, changes and defaults included, its files by their full
 /// paths.
 std::string resolved_text(Scene& scene);
+
+/// The STL files of its walls, by the keys that name them: "domain.surface", "domain.solids[0].surface".
+std::vector<std::pair<std::string, std::string>> surface_files(const Scene& scene);
 
 }  // namespace npfem::flow

@@ -146,7 +146,7 @@ inline constexpr Key level{
     .kind = Kind::integer,
     .range = Range::non_negative,
     .fallback = optional,
-    .doc = "Refinement of the mesh: 2, 3, 4 give 66, 258, 1026 vertices. Default: the material's."};
+    .doc = "Refinement of the mesh, up to 5: 2, 3, 4 give 66, 258, 1026 vertices. Default: the material's."};
 inline constexpr Key mesh{
     .name = "mesh",
     .kind = Kind::text,

@@ -29,7 +29,8 @@ struct CellType {
   std::vector<double> load = {};
 };
 
-/// Where one cell starts: its shape turned by `rotation` (row-major), then moved to `centre` (um).
+/// Where one cell starts: its shape turned by `rotation` (row-major), then moved to `centre` (um), the centroid of its
+/// volume.
 struct CellStart {
   int type;
   Vec3 centre;

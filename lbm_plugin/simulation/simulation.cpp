@@ -379,11 +379,8 @@ double Simulation::momentum_error() const {
 }
 
 std::int64_t Simulation::crossings() const {
-  const auto all = all_cells(state_->setup.types, state_->communicator, state_->surfaces());
-  std::int64_t found =
-      state_->communicator.rank() == 0 ? count_crossings(state_->setup.domain, state_->setup.types, all) : 0;
-  state_->communicator.sum(std::span(&found, 1));
-  return found;
+  const State& s = *state_;
+  return count_crossings(s.setup.domain, s.setup.types, s.communicator, s.surfaces());
 }
 
 double Simulation::minimum_gap() const {

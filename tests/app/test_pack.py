@@ -34,11 +34,22 @@ def test_packs_a_scene_that_runs(program, crowded, tmp_path):
     assert json.loads(run.stdout)["cells"] == summary["cells"]
 
 
-def test_refuses_what_it_would_replace(program, crowded, tmp_path):
-    (tmp_path / "packed.cells").write_text("mine")
-    result = program("pack", crowded, "-o", tmp_path / "packed.toml")
-    assert result.returncode == 2 and "--overwrite" in result.stderr
-    assert (tmp_path / "packed.cells").read_text() == "mine"
+@pytest.mark.parametrize("ending", ["toml", "cells", "json"])
+def test_refuses_what_it_would_replace(program, crowded, tmp_path, ending):
+    mine = tmp_path / ("packed." + ending)
+    mine.write_text("mine")
+    result = program("pack", crowded, "-o", tmp_path / "packed.toml", "--quiet")
+    assert result.returncode == 2 and "--overwrite" in result.stderr and mine.name in result.stderr
+    assert mine.read_text() == "mine" and not [p for p in tmp_path.glob("packed.*") if p != mine]
+
+
+@pytest.mark.parametrize("name", ["packed.json", "packed.cells", "packed", ".toml", "packed.toml.gz"])
+def test_the_packed_scene_is_a_toml_file(program, crowded, tmp_path, name):
+    """With another ending the scene, its cells and the summary could be one and the same file."""
+    before = sorted(tmp_path.iterdir())
+    result = program("pack", crowded, "-o", tmp_path / name, "--quiet", "--overwrite")
+    assert result.returncode == 2 and "ends in .toml" in result.stderr
+    assert sorted(tmp_path.iterdir()) == before
 
 
 @pytest.mark.parametrize("change, message", [

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: MPL-2.0
 """The other verbs, and how verbs are found."""
-import pathlib
 import json
 import os
+import pathlib
+import re
 import stat
+import time
+
+import pytest
 
 
 def test_version_and_help(program):
@@ -52,6 +56,23 @@ def test_plan_says_what_is_active(program, scene):
     no_cells = json.loads(program("plan", scene, "--json", "--set", "cells[0].count=0", "--set",
                                   "cells[1].count=0").stdout)
     assert no_cells["coupling"]["active"] is False
+
+
+@pytest.mark.parametrize("box", ["", 'kind = "tube"\ndiameter = "4000 um"\nlength = "4000 um"'])
+def test_an_absurd_size_is_planned_at_once_and_not_run(program, scene, tmp_path, box):
+    text = scene.read_text().replace('["12 um", "10 um", "10 um"]', '["4000 um", "4000 um", "4000 um"]')
+    if box:
+        text = re.sub(r'kind = "shear_box"\nsize = .*', box, text).replace('shear_rate = "5000 1/s"', '')
+    scene.write_text(text.replace("5000 1/s", "1 1/s"))
+    begin = time.monotonic()
+    plan = program("plan", scene)
+    assert plan.returncode == 0, plan.stderr
+    assert time.monotonic() - begin < 5 and "too little for it" in plan.stdout
+    assert ("about 40" in plan.stdout) == bool(box), "nodes of a large tube are estimated"
+    run = program("run", scene, "-o", tmp_path / "out")
+    assert run.returncode == 2
+    assert re.search(r"scene.toml:[78]:6: domain.dx: 80\d\d x 80\d\d x 8000 nodes need about .* larger dx", run.stderr)
+    assert not (tmp_path / "out").exists()
 
 
 def test_validate(program, scene):

@@ -77,7 +77,10 @@ class Pair {
     SerialCommunicator alone;
     return smallest_cell_gap(setup_.domain, setup_.types, alone, surfaces());
   }
-  std::int64_t crossings() const { return count_crossings(setup_.domain, setup_.types, surfaces()); }
+  std::int64_t crossings() const {
+    SerialCommunicator alone;
+    return count_crossings(setup_.domain, setup_.types, alone, surfaces());
+  }
 
  private:
   flow::Setup setup_;

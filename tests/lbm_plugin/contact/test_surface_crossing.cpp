@@ -40,25 +40,28 @@ TEST(CountCrossings, SeesEdgesThatNoVertexTellsOf) {
   const std::vector<CellSurface> cells{moved(octahedron, 0, {10, 10, 10}, {4, 1, 1}),
                                        moved(octahedron, 1, {10, 10, 11.5}, {1, 4, 1})};
   SerialCommunicator alone;
-  EXPECT_GT(count_crossings(box(), types, cells), 0);
+  EXPECT_GT(count_crossings(box(), types, alone, cells), 0);
   const std::vector<CellSurface> apart{cells[0], moved(octahedron, 1, {10, 10, 12.1}, {1, 4, 1})};
-  EXPECT_EQ(count_crossings(box(), types, apart), 0);
+  EXPECT_EQ(count_crossings(box(), types, alone, apart), 0);
 }
 
 TEST(CountCrossings, GoesAroundPeriodicFaces) {
+  SerialCommunicator alone;
   const CellType sphere = testing::sphere(2.0, 2);
   const std::vector<CellType> types{sphere};
   const std::vector<CellSurface> cells{moved(sphere, 0, {1, 10, 10}), moved(sphere, 1, {77.5, 10, -10})};
-  EXPECT_GT(count_crossings(box(), types, cells), 0);
+  EXPECT_GT(count_crossings(box(), types, alone, cells), 0);
   const std::vector<CellSurface> apart{cells[0], moved(sphere, 1, {76.5, 10, -10})};
-  EXPECT_EQ(count_crossings(box(), types, apart), 0);
+  EXPECT_EQ(count_crossings(box(), types, alone, apart), 0);
 }
 
 TEST(CountCrossings, SeesACellInItsOwnImage) {
   const CellType sphere = testing::sphere(2.0, 2);
   Domain narrow = box();
   narrow.nodes[0] = 7;
-  EXPECT_GT(count_crossings(narrow, std::vector<CellType>{sphere}, std::vector{moved(sphere, 0, {1, 10, 10})}), 0);
+  SerialCommunicator alone;
+  const std::vector<CellSurface> cells{moved(sphere, 0, {1, 10, 10})};
+  EXPECT_GT(count_crossings(narrow, std::vector<CellType>{sphere}, alone, cells), 0);
 }
 
 }  // namespace

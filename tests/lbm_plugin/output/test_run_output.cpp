@@ -47,6 +47,16 @@ TEST(OutputFolder, OverwriteRemovesOnlyTheFilesOfARun) {
   }
 }
 
+TEST(OutputFolder, TheLockOfTheRunThatPreparesItIsLeftAlone) {
+  const ScratchFolder scratch("output_lock");
+  put(scratch.path() / lock_file_name);
+  prepare_output_folder(scratch.path(), false);
+  put(scratch.path() / "cells.pvd");
+  prepare_output_folder(scratch.path(), true);
+  EXPECT_TRUE(std::filesystem::exists(scratch.path() / lock_file_name));
+  EXPECT_FALSE(std::filesystem::exists(scratch.path() / "cells.pvd"));
+}
+
 TEST(OutputFolder, MustBeAFolder) {
   const ScratchFolder scratch("output_file");
   put(scratch.path() / "file");

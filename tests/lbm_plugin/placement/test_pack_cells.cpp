@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "communicator/serial_communicator.h"
+#include "contact/minimum_gap.h"
 #include "contact/surface_crossing.h"
 #include "geometry/cell_shape.h"
 #include "npfem/npfem.hpp"
@@ -58,7 +59,7 @@ void expect_packed(const Domain& domain, std::span<const CellType> types, const 
   SerialCommunicator alone;
   EXPECT_GT(smallest_cell_gap(domain, types, alone, surfaces), 0);
   EXPECT_GT(smallest_wall_gap(domain, alone, surfaces), 0);
-  EXPECT_EQ(count_crossings(domain, types, surfaces), 0);
+  EXPECT_EQ(count_crossings(domain, types, alone, surfaces), 0);
   EXPECT_GT(packed.overlap_before, 0.5) << "the cells did not overlap at first: the test is weak";
   EXPECT_GT(packed.least_gap, 0);
 }

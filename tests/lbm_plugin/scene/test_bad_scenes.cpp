@@ -103,6 +103,14 @@ const BadScene wrong_numbers[] = {
      "scene.toml:20:15: cells[0].haematocrit: 1.5 must lie between 0 and 1"},
 };
 
+const BadScene absurd_numbers[] = {
+    {"NoViscosityIsLeft", "time_step", "density = \"1e30 kg/m3\"\ntime_step",
+     "scene.toml:10:21: fluid.dynamic_viscosity: with a density of 1e30 kg/m3 and a time step of 0.1 us the "
+     "relaxation time of the lattice is no more than 1/2 step, where the viscosity is zero: is the density, the "
+     "viscosity or the time step mistyped?"},
+    {"MeshFinerThanAnything", "level = 2", "level = 6", "scene.toml:19:9: cells[0].level: 6 is not allowed: 1 to 5"},
+};
+
 const BadScene wrong_choices[] = {
     {"TwoViscosities", "time_step", "kinematic_viscosity = \"1 mm2/s\"\ntime_step",
      "scene.toml:10:21: fluid.dynamic_viscosity: \"kinematic_viscosity\" is given too; give only one of them"},
@@ -143,6 +151,7 @@ const BadScene wrong_choices[] = {
 const auto name_of_case = [](const auto& info) { return std::string(info.param.name); };
 INSTANTIATE_TEST_SUITE_P(Words, BadScenes, ::testing::ValuesIn(wrong_words), name_of_case);
 INSTANTIATE_TEST_SUITE_P(Numbers, BadScenes, ::testing::ValuesIn(wrong_numbers), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Sizes, BadScenes, ::testing::ValuesIn(absurd_numbers), name_of_case);
 INSTANTIATE_TEST_SUITE_P(Choices, BadScenes, ::testing::ValuesIn(wrong_choices), name_of_case);
 
 TEST(BadAssignments, NameTheAssignment) {

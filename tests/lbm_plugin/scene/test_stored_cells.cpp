@@ -6,6 +6,7 @@
 
 #include "communicator/serial_communicator.h"
 #include "file.h"
+#include "geometry/cell_shape.h"
 #include "scene/make_cells.h"
 #include "scene_text.h"
 #include "scratch_folder.h"
@@ -72,6 +73,25 @@ TEST_F(StoredCellsScene, EveryCellStartsAsItStandsInTheFile) {
     const auto expected = cells_.cell(static_cast<int>(n));
     ASSERT_EQ(states[n].position.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(states[n].position[i], expected[i]);
+  }
+}
+
+/// Displacements are counted from there.
+TEST_F(StoredCellsScene, TheCentreIsTheCentroidOfTheVolumeAlsoOfADeformedCell) {
+  for (std::size_t i = 0; i < cells_.positions.size(); i += 3) {  // vertices more to one side than the volume
+    double& x = cells_.positions[i];
+    if (x > 7) x += 0.05 * (x - 7) * (x - 7);
+  }
+  const Scene scene = made();
+  const std::vector<std::int32_t>& triangles = scene.setup.types[0].triangles;
+  for (int n = 0; n < 2; ++n) {
+    const auto xyz = cells_.cell(n);
+    const Vec3 centroid = shape_of(xyz, triangles).centre;
+    double mean_x = 0;
+    for (std::size_t i = 0; i < xyz.size(); i += 3) mean_x += xyz[i] / cells_.vertices;
+    EXPECT_GT(std::abs(mean_x - centroid[0]), 1e-3) << "um: the two must differ for this test to tell";
+    const Vec3 moved = subtract(scene.setup.cells[static_cast<std::size_t>(n)].centre, centroid);
+    EXPECT_LT(dot(moved, moved), 1e-20) << "um2";
   }
 }
 
