@@ -84,17 +84,20 @@ inline constexpr Key mean_velocity{.name = "mean_velocity",
                                    .fallback = optional,
                                    .doc =
                                        "Tube and plates: sets the body force that would drive the fluid without cells "
-                                       "at this mean velocity, along z in a tube and along x between plates."};
-inline constexpr Key centre_velocity{.name = "centre_velocity",
-                                     .dimension = Dimension::velocity(),
-                                     .range = Range::non_negative,
-                                     .fallback = optional,
-                                     .doc = "The same, by the velocity in the middle."};
+                                       "and without solids at this mean velocity, along z in a tube and along x "
+                                       "between plates. With solids in the channel the flow is slower; the program "
+                                       "then warns and estimates by how much."};
+inline constexpr Key centre_velocity{
+    .name = "centre_velocity",
+    .dimension = Dimension::velocity(),
+    .range = Range::non_negative,
+    .fallback = optional,
+    .doc = "The same, by the velocity in the middle; Palabos-npFEM does not count solids either."};
 inline constexpr Key pressure_gradient{.name = "pressure_gradient",
                                        .dimension = Dimension::force_density(),
                                        .range = Range::non_negative,
                                        .fallback = optional,
-                                       .doc = "The same, by the pressure drop per length."};
+                                       .doc = "Pressure drop per length: the body force itself, whatever the walls."};
 inline constexpr Key axis{.name = "axis",
                           .kind = Kind::choice,
                           .choices = "x y z",
