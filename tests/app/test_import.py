@@ -93,7 +93,7 @@ def test_pack_parts_a_start_set_that_interpenetrates(program, lineage):
 
 def test_the_cell_before_an_obstacle_follows_the_recorded_path(program, lineage):
     """Centre of mass of the lineage's own run of its obstacle scene, 2 ranks: within 0.25 um in z, and with its own
-    coupling within 0.1 um for the first 125 us. The other coupling lacks the damping that its steps bring along."""
+    coupling within 0.1 um for the first 125 us. docs/theory.md says what the other coupling does and by how much."""
     steps = int(os.environ.get("NPFEM_OBSTACLE_STEPS", "1000"))
     record = [line for line in (SHARED / "reference_runs" / "obstacle_centre_of_mass.csv").read_text().splitlines()
               if not line.startswith("#")]
