@@ -103,7 +103,11 @@ void read_fluid(const text::Table& table, Setup& setup) {
       &viscosity == &keys::kinematic_viscosity ? table.quantity(viscosity) : table.quantity(viscosity) / setup.density;
   const std::string collision = table.choice(keys::collision);
   setup.collision = collision == "trt" ? Collision::trt : collision == "bgk" ? Collision::bgk : Collision::regularised;
-  setup.magic_parameter = table.quantity(keys::magic_parameter);
+  if (setup.collision == Collision::trt) setup.magic_parameter = table.quantity(keys::magic_parameter);
+  if (setup.collision != Collision::trt) {
+    refuse(table, {&keys::magic_parameter},
+           "is for collision \"trt\" only, this is \"" + collision + "\"; leave it out");
+  }
   const bool in_double = table.choice(keys::fluid_precision) == "double";
   setup.fluid_precision = in_double ? FluidPrecision::in_double : FluidPrecision::in_float;
 

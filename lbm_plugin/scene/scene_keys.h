@@ -52,11 +52,10 @@ inline constexpr Key tau{
     .range = Range::positive,
     .fallback = optional,
     .doc = "Relaxation time in time steps, above 0.5; sets the time step. Either this or `time_step`."};
-inline constexpr Key magic_parameter{
-    .name = "magic_parameter",
-    .range = Range::positive,
-    .fallback = "0.1875",
-    .doc = "Of the two-relaxation-time collision; 3/16 puts flat walls exactly half-way."};
+inline constexpr Key magic_parameter{.name = "magic_parameter",
+                                     .range = Range::positive,
+                                     .fallback = "0.1875",
+                                     .doc = "Of the collision `trt` only; 3/16 puts flat walls exactly half-way."};
 
 inline constexpr Key collision{
     .name = "collision",
@@ -111,7 +110,11 @@ inline constexpr Key start{.name = "start",
 
 // [flow.waveform]
 inline constexpr Key period{
-    .name = "period", .dimension = Dimension::time(), .range = Range::positive, .doc = "Of the beat."};
+    .name = "period",
+    .dimension = Dimension::time(),
+    .range = Range::positive,
+    .doc =
+        "Of the beat; at least 20 steps of the cells (`time_step` x `cell_every`), between which the driving holds."};
 inline constexpr Key mean{.name = "mean", .fallback = optional, .doc = "Of the factor. Default: 1."};
 inline constexpr Key amplitude{
     .name = "amplitude", .fallback = optional, .doc = "Of a factor mean + amplitude sin(2 pi t/period + phase)."};
@@ -202,7 +205,7 @@ inline constexpr Key seed{.name = "seed",
                           .kind = Kind::integer,
                           .range = Range::non_negative,
                           .fallback = "1",
-                          .doc = "Of the random placement."};
+                          .doc = "Of the random placement; refused where `positions` lists every cell."};
 inline constexpr Key gap{.name = "gap",
                          .dimension = Dimension::length(),
                          .range = Range::non_negative,
@@ -339,7 +342,7 @@ inline constexpr Key steps{.name = "steps",
                            .kind = Kind::integer,
                            .range = Range::non_negative,
                            .fallback = optional,
-                           .doc = "Fluid steps of the run. With `time` too, whichever comes first."};
+                           .doc = "Fluid steps of the run. With `time` too they may shorten it, not go beyond."};
 inline constexpr Key time{.name = "time",
                           .dimension = Dimension::time(),
                           .range = Range::non_negative,
