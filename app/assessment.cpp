@@ -12,9 +12,13 @@
 namespace npfem::app {
 
 std::vector<flow::Limit> limits_of(const flow::Scene& scene) {
-  return accuracy_limits(scene.setup, scene.largest_velocity, scene.largest_shear_rate);
+  return accuracy_limits(scene.setup, scene.flow.velocity, scene.flow.shear_rate);
 }
 
+namespace {
+
+/// Says how many triangles pass through each other where cells start with given vertices, which nobody has kept apart;
+/// empty where there are none.
 std::string warning_of_crossings(const flow::Scene& scene) {
   const flow::Setup& setup = scene.setup;
   std::vector<flow::CellSurface> surfaces;
@@ -32,9 +36,20 @@ std::string warning_of_crossings(const flow::Scene& scene) {
          " pairs of triangles cross; npfem pack makes a start without";
 }
 
+}  // namespace
+
+std::vector<std::string> warnings_of(const flow::Scene& scene) {
+  std::vector<std::string> warnings = scene.warnings;
+  const std::string crossings = warning_of_crossings(scene);
+  if (!crossings.empty()) warnings.push_back(crossings);
+  return warnings;
+}
+
 void print_limits(const std::vector<flow::Limit>& limits) {
   for (const flow::Limit& limit : limits) {
-    std::printf("  %-24s %-10.3g %-9s up to %.3g (good), %.3g (fair): %s\n", limit.name.c_str(), limit.value,
+    char value[32] = "-";
+    if (limit.verdict != flow::Verdict::unknown) std::snprintf(value, sizeof value, "%.3g", limit.value);
+    std::printf("  %-24s %-10s %-9s up to %.3g (good), %.3g (fair): %s\n", limit.name.c_str(), value,
                 verdict_name(limit.verdict).c_str(), limit.strict_bound, limit.bound, limit.advice.c_str());
   }
 }

@@ -14,9 +14,9 @@ namespace npfem::app {
 /// The accuracy limits of a scene whose types are made, with the flow it imposes.
 std::vector<flow::Limit> limits_of(const flow::Scene& scene);
 
-/// Says how many triangles pass through each other where cells start with given vertices, which nobody has kept apart;
-/// empty where there are none. The cells are placed.
-std::string warning_of_crossings(const flow::Scene& scene);
+/// What the scene asks for and may not mean: that of reading it, and cells that start through each other where nobody
+/// has kept them apart. The cells are placed.
+std::vector<std::string> warnings_of(const flow::Scene& scene);
 
 void print_limits(const std::vector<flow::Limit>& limits);
 nlohmann::ordered_json limits_as_json(const std::vector<flow::Limit>& limits);

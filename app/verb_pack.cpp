@@ -79,15 +79,13 @@ int threads_to_use() {
 
 flow::Scene load(const PackOptions& options) {
   flow::Scene scene = flow::read_scene(options.scene.path, options.scene.assignments);
-  const text::Table placement = scene.document.root().table("placement");
-  if (!scene.cells_file.empty()) {
-    placement.fail("file", "the cells of this scene are packed already; to pack it anew take this line out");
-  }
   for (const flow::CellsRequest& request : scene.requests) {
     if (request.positions.empty()) continue;
     request.table.fail("positions", "packing finds the places of all cells; give haematocrit, count or ratio instead");
   }
   flow::make_types(scene);
+  // a cells file says where they start
+  if (!scene.cells_file.empty()) flow::place_scene_cells(scene);
   return scene;
 }
 
@@ -185,7 +183,8 @@ int pack(const PackOptions& options) {
   };
   flow::PackedCells packed;
   try {
-    packed = flow::pack_cells(scene.setup.domain, scene.setup.types, {counts, scene.seed, threads, goes_on});
+    packed = flow::pack_cells(scene.setup.domain, scene.setup.types,
+                              {counts, scene.seed, scene.setup.cells, threads, goes_on});
   } catch (const flow::PlacementError& error) {
     line.finish();
     scene.document.root().table("placement").fail(error.what());

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "assessment.h"
+#include "quantity.h"
 #include "scene/make_cells.h"
 #include "scene/memory_need.h"
 #include "scene/scene.h"
@@ -88,6 +89,10 @@ Json describe_cells(const flow::Scene& scene, const std::vector<int>& counts) {
   return list;
 }
 
+Json json_or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json();
+}
+
 Json describe(const flow::Scene& scene) {
   const flow::Setup& setup = scene.setup;
   const std::vector<int> counts = cell_counts(scene);
@@ -115,8 +120,9 @@ Json describe(const flow::Scene& scene) {
             {"time_step_us", setup.time_step},
             {"tau", units.relaxation_time(setup.kinematic_viscosity)}}},
           {"flow",
-           {{"largest_velocity_um_per_us", scene.largest_velocity},
-            {"largest_shear_rate_per_us", scene.largest_shear_rate},
+           {{"largest_velocity_um_per_us", json_or_null(scene.flow.velocity)},
+            {"largest_shear_rate_per_us", json_or_null(scene.flow.shear_rate)},
+            {"estimated", scene.flow.estimated},
             {"starts_developed", setup.start_developed}}},
           {"coupling",
            {{"active", vertices > 0},
@@ -135,7 +141,8 @@ Json describe(const flow::Scene& scene) {
           {"seconds_per_step_on_one_core",
            {{"fluid", static_cast<double>(fluid_nodes.count) / fluid_rate(setup)},
             {"cells", vertices / vertex_steps_per_second / setup.coupling.steps_per_solve}}},
-          {"limits", limits_as_json(limits_of(scene))}};
+          {"limits", limits_as_json(limits_of(scene))},
+          {"warnings", scene.warnings}};
 }
 
 double number(const Json& json, const char* group, const char* key) {
@@ -171,6 +178,16 @@ void print_active(const Json& plan) {
               plan.at("contact").at("with_walls").get<bool>() ? "yes" : "no (no walls, or range 0)");
 }
 
+void print_flow(const flow::FlowScale& flow) {
+  const auto shown = [](const std::optional<double>& value, double factor, const char* unit) {
+    return value ? text::format_rounded(factor * *value) + " " + unit : std::string("an unknown shear rate");
+  };
+  if (!flow.velocity) return (void)std::puts("flow      unknown: the walls leave no section along which it is known");
+  std::printf("flow      up to %s and %s without cells%s\n", shown(flow.velocity, 1e3, "mm/s").c_str(),
+              shown(flow.shear_rate, 1e6, "1/s").c_str(),
+              flow.estimated ? ", an estimate by the narrowest section" : "");
+}
+
 void print(const Json& plan, const flow::Scene& scene) {
   const auto& n = scene.setup.domain.nodes;
   std::printf("%s\n", scene.title.c_str());
@@ -180,8 +197,7 @@ void print(const Json& plan, const flow::Scene& scene) {
               number(plan, "domain", "fluid_nodes"));
   std::printf("fluid     tau %.4g, time step %.4g us, kinematic viscosity %.4g mm2/s\n", number(plan, "fluid", "tau"),
               scene.setup.time_step, scene.setup.kinematic_viscosity);
-  std::printf("flow      up to %.4g mm/s and %.4g 1/s without cells\n", 1e3 * scene.largest_velocity,
-              1e6 * scene.largest_shear_rate);
+  print_flow(scene.flow);
   print_cells(plan);
   print_active(plan);
   const double seconds =
@@ -197,6 +213,7 @@ void print(const Json& plan, const flow::Scene& scene) {
               number(plan, "seconds_per_step_on_one_core", "cells"), seconds * static_cast<double>(scene.steps));
   std::puts("limits");
   print_limits(limits_of(scene));
+  for (const std::string& warning : scene.warnings) std::printf("warning: %s\n", warning.c_str());
 }
 
 }  // namespace

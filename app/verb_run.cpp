@@ -60,8 +60,9 @@ int run(Session& session, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   if (!options.loop.walltime.empty()) parse_walltime(options.loop.walltime);
   flow::Scene scene = load(session, options.scene);
-  const std::string warning = session.first() ? warning_of_crossings(scene) : "";
-  if (!warning.empty()) std::cerr << "npfem: " << warning << "\n";
+  if (session.first()) {
+    for (const std::string& warning : warnings_of(scene)) std::cerr << "npfem: " << warning << "\n";
+  }
   std::optional<flow::Simulation> simulation;
   on_all_ranks(session, [&] { simulation.emplace(scene.setup, session.communicator); });
   const auto lock = lock_folder(session, options);

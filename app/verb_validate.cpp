@@ -27,19 +27,19 @@ int validate(const ValidateOptions& options) {
   flow::make_types(scene);
   const flow::PlacementReport placement = flow::place_scene_cells(scene);
   const std::vector<flow::Limit> limits = limits_of(scene);
-  const std::string warning = warning_of_crossings(scene);
+  const std::vector<std::string> warnings = warnings_of(scene);
   if (options.json) {
     const nlohmann::ordered_json json{{"valid", true},
                                       {"cells", scene.setup.cells.size()},
                                       {"grown", placement.grown},
-                                      {"warning", warning},
+                                      {"warnings", warnings},
                                       {"limits", limits_as_json(limits)}};
     std::cout << json.dump(2) << "\n";
     return done;
   }
   std::printf("%s: valid; %zu cells placed%s\n", options.scene.path.c_str(), scene.setup.cells.size(),
               placement.grown ? " by growth from small" : "");
-  if (!warning.empty()) std::printf("warning: %s\n", warning.c_str());
+  for (const std::string& warning : warnings) std::printf("warning: %s\n", warning.c_str());
   print_limits(limits);
   const auto exceeded = std::count_if(limits.begin(), limits.end(),
                                       [](const flow::Limit& l) { return l.verdict == flow::Verdict::exceeded; });

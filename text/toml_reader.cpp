@@ -110,8 +110,12 @@ Value& Table::fetch(const Key& key) const {
 }
 
 void Table::fail(std::string_view name, const std::string& message) const {
+  throw InputError(located(name, message));
+}
+
+std::string Table::located(std::string_view name, const std::string& message) const {
   const Value* value = node_->find(name);
-  throw InputError(where(value ? *value : *node_) + path_of(name) + ": " + message);
+  return where(value ? *value : *node_) + path_of(name) + ": " + message;
 }
 
 void Table::fail(const std::string& message) const {

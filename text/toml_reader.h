@@ -53,6 +53,8 @@ class Table {
 
   /// Throws an InputError located at the value of `name` (at the table when it is absent).
   [[noreturn]] void fail(std::string_view name, const std::string& message) const;
+  /// The same message without throwing it, for warnings.
+  std::string located(std::string_view name, const std::string& message) const;
   /// Throws an InputError located at the table itself.
   [[noreturn]] void fail(const std::string& message) const;
 

@@ -32,10 +32,13 @@ std::vector<flow::CellState> advanced(const flow::Setup& setup, flow::Communicat
   return simulation.local_cells();
 }
 
-/// Root of the mean square distance of the vertices of two runs, over that of their way from the start. Cells that two
-/// ranks hold in the two runs are left out.
-double distance_over_way(const flow::Setup& setup, const std::vector<flow::CellState>& cells,
-                         const std::vector<flow::CellState>& finer, flow::Communicator& communicator) {
+/// Root of the mean square distance of the vertices of two runs after `us`, over that of what the cells did by
+/// themselves: their way from the start less the motion of the sheared fluid without them, which any time step gets
+/// right. Cells that two ranks hold in the two runs are left out.
+double distance_over_own_way(const flow::Setup& setup, const std::vector<flow::CellState>& cells,
+                             const std::vector<flow::CellState>& finer, double us, flow::Communicator& communicator) {
+  const flow::Domain& domain = setup.domain;
+  const double height = domain.size()[1], strain = domain.plate_speed / height * us;
   std::array<double, 2> sums{};
   for (const flow::CellState& cell : cells) {
     const auto other = std::find_if(finer.begin(), finer.end(), [&](const auto& c) { return c.id == cell.id; });
@@ -43,8 +46,10 @@ double distance_over_way(const flow::Setup& setup, const std::vector<flow::CellS
     const auto start = flow::start_positions(setup.cells[static_cast<std::size_t>(cell.id)],
                                              setup.types[static_cast<std::size_t>(cell.type)]);
     for (std::size_t i = 0; i < start.size(); ++i) {
+      const bool along = i % 3 == domain.flow_axis();
+      const double carried = along ? strain * (start[i - i % 3 + 1] - 0.5 * height) : 0.0;
       sums[0] += std::pow(cell.position[i] - other->position[i], 2);
-      sums[1] += std::pow(other->position[i] - start[i], 2);
+      sums[1] += std::pow(other->position[i] - start[i] - carried, 2);
     }
   }
   communicator.sum(sums);
@@ -98,66 +103,91 @@ Timing timed(const flow::Setup& setup, flow::Communicator& communicator, int blo
   return timing;
 }
 
+/// The same cells at the same places in another precision.
+flow::Setup in_same_places(const std::string& name, const flow::Setup& in_double, const std::string& precision) {
+  flow::Setup setup = in_double;
+  if (precision == "double") return setup;
+  const flow::Scene scene = blood_scene(name, in_precision(precision));
+  setup.types = scene.setup.types;
+  setup.fluid_precision = scene.setup.fluid_precision;
+  return setup;
+}
+
+void use_threads(int threads, flow::Setup& setup) {
+  flow::set_lattice_threads(threads);
+  for (flow::CellType& type : setup.types) {
+    std::erase_if(type.options, [](const auto& option) { return option.first == "threads"; });
+    type.options.emplace_back("threads", threads);
+  }
+}
+
+struct Case {
+  std::string scene, precision;
+  int threads, ranks;
+};
+
+Json row_of(const Case& of, const flow::Setup& setup, const Timing& t, double error) {
+  const double nodes = std::accumulate(setup.domain.nodes.begin(), setup.domain.nodes.end(), 1.0,
+                                       [](double product, int n) { return product * n; });
+  Json phases;
+  for (const auto& [phase, ms] : t.phases_ms) phases[phase] = ms;
+  return {{"scene", of.scene},
+          {"precision", of.precision},
+          {"threads", of.threads},
+          {"ranks", of.ranks},
+          {"cells", setup.cells.size()},
+          {"ms_per_step", t.ms_per_step},
+          {"phases_ms", phases},
+          {"mlups", 1e-3 * nodes / t.ms_per_step},
+          {"cell_steps_per_s", 1e3 * t.cell_steps_per_step / t.ms_per_step},
+          {"iterations_per_cell_step", t.iterations_per_cell_step},
+          {"seconds_per_simulated_ms", t.ms_per_step / setup.time_step},
+          {"error", error},
+          {"momentum_error", t.momentum_error},
+          {"volume_error", t.volume_error},
+          {"failed_cells", t.failed}};
+}
+
+void print(const Case& of, const flow::Setup& setup, const Timing& t, double error) {
+  std::printf("%s %s, %d threads, %d ranks: %.1f ms per step, %.0f cell-steps/s, %.2f s per simulated us\n ",
+              of.scene.c_str(), of.precision.c_str(), of.threads, of.ranks, t.ms_per_step,
+              1e3 * t.cell_steps_per_step / t.ms_per_step, 1e-3 * t.ms_per_step / setup.time_step);
+  for (const auto& [phase, ms] : t.phases_ms) std::printf(" %s %.2f", phase.c_str(), ms);
+  std::printf(" ms; error %.2g\n", error);
+  std::fflush(stdout);
+}
+
+/// One scene in both precisions, with each number of threads.
+void measure_scene(const std::string& name, const Plan& plan, flow::Communicator& communicator, Json& rows) {
+  const bool first = communicator.rank() == 0;
+  if (first) say("placing the cells of " + name);
+  const flow::Scene in_double = blood_scene(name, in_precision("double"));
+  flow::Setup finer = in_double.setup;
+  finer.time_step /= 4;
+  flow::set_lattice_threads(plan.threads.back());
+  if (first) say("running " + name + " with a time step four times finer");
+  const auto reference = advanced(finer, communicator, us_compared);
+  for (const std::string& precision : {std::string("double"), std::string("float")}) {
+    flow::Setup setup = in_same_places(name, in_double.setup, precision);
+    const auto cells = advanced(setup, communicator, us_compared);
+    const double error = distance_over_own_way(setup, cells, reference, us_compared, communicator);
+    for (const int threads : plan.threads) {
+      use_threads(threads, setup);
+      const Timing t = timed(setup, communicator, plan.quick ? 3 : 20);
+      const Case of{name, precision, threads, communicator.size()};
+      rows.push_back(row_of(of, setup, t, error));
+      if (first) print(of, setup, t, error);
+    }
+  }
+}
+
 }  // namespace
 
 Json measure_coupled(const Plan& plan, flow::Communicator& communicator) {
   const std::vector<std::string> names =
       plan.quick ? std::vector<std::string>{"shear20_ht20"} : std::vector<std::string>{"shear50_ht35", "shear25_ht35"};
-  const bool first = communicator.rank() == 0;
   Json rows = Json::array();
-  for (const std::string& name : names) {
-    if (first) say("placing the cells of " + name);
-    const flow::Scene in_double = blood_scene(name, in_precision("double"));
-    flow::Setup finer = in_double.setup;
-    finer.time_step /= 4;
-    flow::set_lattice_threads(plan.threads.back());
-    if (first) say("running " + name + " with a time step four times finer");
-    const auto reference = advanced(finer, communicator, us_compared);
-    for (const std::string& precision : {std::string("double"), std::string("float")}) {
-      flow::Setup setup = in_double.setup;
-      if (precision == "float") {
-        const flow::Scene in_float = blood_scene(name, in_precision("float"));
-        setup.types = in_float.setup.types;
-        setup.fluid_precision = in_float.setup.fluid_precision;
-      }
-      const double error =
-          distance_over_way(setup, advanced(setup, communicator, us_compared), reference, communicator);
-      for (const int threads : plan.threads) {
-        flow::set_lattice_threads(threads);
-        for (flow::CellType& type : setup.types) {
-          std::erase_if(type.options, [](const auto& option) { return option.first == "threads"; });
-          type.options.emplace_back("threads", threads);
-        }
-        const Timing t = timed(setup, communicator, plan.quick ? 3 : 20);
-        const double nodes = std::accumulate(setup.domain.nodes.begin(), setup.domain.nodes.end(), 1.0,
-                                             [](double product, int n) { return product * n; });
-        Json phases;
-        for (const auto& [phase, ms] : t.phases_ms) phases[phase] = ms;
-        rows.push_back({{"scene", name},
-                        {"precision", precision},
-                        {"threads", threads},
-                        {"ranks", communicator.size()},
-                        {"cells", setup.cells.size()},
-                        {"ms_per_step", t.ms_per_step},
-                        {"phases_ms", phases},
-                        {"mlups", 1e-3 * nodes / t.ms_per_step},
-                        {"cell_steps_per_s", 1e3 * t.cell_steps_per_step / t.ms_per_step},
-                        {"iterations_per_cell_step", t.iterations_per_cell_step},
-                        {"seconds_per_simulated_ms", t.ms_per_step / setup.time_step},
-                        {"error", error},
-                        {"momentum_error", t.momentum_error},
-                        {"volume_error", t.volume_error},
-                        {"failed_cells", t.failed}});
-        if (!first) continue;
-        std::printf("%s %s, %d threads, %d ranks: %.1f ms per step, %.0f cell-steps/s, %.2f s per simulated us\n ",
-                    name.c_str(), precision.c_str(), threads, communicator.size(), t.ms_per_step,
-                    1e3 * t.cell_steps_per_step / t.ms_per_step, 1e-3 * t.ms_per_step / setup.time_step);
-        for (const auto& [phase, ms] : t.phases_ms) std::printf(" %s %.2f", phase.c_str(), ms);
-        std::printf(" ms; error %.2g\n", error);
-        std::fflush(stdout);
-      }
-    }
-  }
+  for (const std::string& name : names) measure_scene(name, plan, communicator, rows);
   return rows;
 }
 

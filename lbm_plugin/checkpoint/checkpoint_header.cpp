@@ -40,12 +40,21 @@ Json to_json(const Counters& counters) {
           {"worst_residual_pN", counters.worst_residual_pN},
           {"fluid_seconds", counters.fluid_seconds},
           {"cell_seconds", counters.cell_seconds},
-          {"exchange_seconds", counters.exchange_seconds}};
+          {"exchange_seconds", counters.exchange_seconds},
+          {"least_gap_um", counters.least_gap_um},  // null where infinite
+          {"worst_volume_error", counters.worst_volume_error}};
 }
 
 Counters counters_from(const Json& json) {
-  return {json.at("cell_steps"),    json.at("iterations"),   number_from(json.at("worst_residual_pN")),
-          json.at("fluid_seconds"), json.at("cell_seconds"), json.at("exchange_seconds")};
+  const Json& gap = json.at("least_gap_um");
+  return {json.at("cell_steps"),
+          json.at("iterations"),
+          number_from(json.at("worst_residual_pN")),
+          json.at("fluid_seconds"),
+          json.at("cell_seconds"),
+          json.at("exchange_seconds"),
+          gap.is_null() ? std::numeric_limits<double>::infinity() : gap.get<double>(),
+          number_from(json.at("worst_volume_error"))};
 }
 
 Json to_json(const std::vector<Departure>& departures) {

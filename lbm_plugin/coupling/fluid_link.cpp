@@ -100,6 +100,8 @@ void FluidLink::find_contacts() {
   const Stopwatch watch(seconds_.contacts);
   found_.resize(exchange_.contact_vertices().id.size());
   contacts_.evaluate(exchange_.contact_vertices(), found_);
+  const Contacts::Finding finding = contacts_.finding();
+  if (finding.contacts > 0) least_contact_distance_ = std::min(least_contact_distance_, finding.least_distance);
   own_.resize(own_vertices_);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,9 @@ class FluidLink final : public Fluid {
   /// One number per vertex, 1 where another cell or a wall is within one node (crowding.h), else 0.
   void sample_crowding(std::span<double> crowded);
 
+  /// Of the contacts between cells that this rank has found so far, um; infinite where there was none.
+  double least_contact_distance() const { return least_contact_distance_; }
+
   /// What this rank has spent here.
   struct Seconds {
     double velocity = 0;       ///< velocity field of the lattice and its halo
@@ -75,6 +79,7 @@ class FluidLink final : public Fluid {
   std::vector<double> known_force_;                        // known vertices, lattice units
   std::size_t own_vertices_ = 0;
   Vec3 force_on_walls_{};  // lattice units
+  double least_contact_distance_ = std::numeric_limits<double>::infinity();
   Seconds seconds_;
 };
 

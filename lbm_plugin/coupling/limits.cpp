@@ -2,6 +2,7 @@
 #include "coupling/limits.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "coupling/ambient_mass.h"
@@ -24,8 +25,35 @@ Limit judged(std::string name, std::string meaning, double value, double strict_
   return {std::move(name), std::move(meaning), value, strict_bound, bound, verdict, text};
 }
 
-void add_fluid_limits(std::vector<Limit>& limits, const Units& units, double tau, double ratio, double speed,
-                      double shear_rate) {
+/// The same for a value that may be unknown: then there is no verdict on it.
+Limit judged_if_known(std::string name, std::string meaning, std::optional<double> value, double strict_bound,
+                      double bound, const Advice& advice) {
+  if (value) return judged(std::move(name), std::move(meaning), *value, strict_bound, bound, advice);
+  return {std::move(name),
+          std::move(meaning),
+          std::numeric_limits<double>::quiet_NaN(),
+          strict_bound,
+          bound,
+          Verdict::unknown,
+          "the flow of this scene is not known beforehand; look at the velocities it writes"};
+}
+
+void add_flow_limits(std::vector<Limit>& limits, const Units& units, double tau, std::optional<double> speed,
+                     std::optional<double> shear_rate) {
+  const double sound = units.velocity() / std::sqrt(3.0);
+  if (speed) *speed /= sound;
+  if (shear_rate) *shear_rate *= (tau - 0.5) * units.dt;
+  limits.push_back(judged_if_known(
+      "Ma", "fastest imposed flow over the lattice's speed of sound; the lattice fluid is compressible", speed, 0.1,
+      0.3,
+      {"the fluid is as good as incompressible", "density varies by a few percent; a smaller time step helps",
+       "the flow is too fast for this time step; reduce time_step"}));
+  limits.push_back(judged_if_known("gdot_T", "shear rate times T = (tau - 1/2) dt, the memory of the lattice fluid",
+                                   shear_rate, 0.02, 0.02,
+                                   {"the fluid follows at once", "", "the fluid lags behind; reduce time_step"}));
+}
+
+void add_fluid_limits(std::vector<Limit>& limits, double tau, double ratio) {
   limits.push_back(judged("tau", "relaxation time of the lattice fluid, in time steps; above 1/2", tau, 12.0, 12.0,
                           {"steady flow is exact between walls; for flow that changes in time, see gdot T", "",
                            "larger than any that has been tried; reduce time_step"}));
@@ -35,15 +63,6 @@ void add_fluid_limits(std::vector<Limit>& limits, const Units& units, double tau
         12.0, 12.0,
         {"the fluid inside is as good as that outside", "", "larger than any that has been tried; reduce time_step"}));
   }
-  const double sound = units.velocity() / std::sqrt(3.0);
-  limits.push_back(
-      judged("Ma", "fastest imposed flow over the lattice's speed of sound; the lattice fluid is compressible",
-             speed / sound, 0.1, 0.3,
-             {"the fluid is as good as incompressible", "density varies by a few percent; a smaller time step helps",
-              "the flow is too fast for this time step; reduce time_step"}));
-  limits.push_back(judged("gdot_T", "shear rate times T = (tau - 1/2) dt, the memory of the lattice fluid",
-                          shear_rate * (tau - 0.5) * units.dt, 0.02, 0.02,
-                          {"the fluid follows at once", "", "the fluid lags behind; reduce time_step"}));
 }
 
 void add_cell_limits(std::vector<Limit>& limits, const Setup& setup, const Units& units, const CellType& type) {
@@ -76,11 +95,12 @@ void add_cell_limits(std::vector<Limit>& limits, const Setup& setup, const Units
 
 }  // namespace
 
-std::vector<Limit> accuracy_limits(const Setup& setup, double speed, double shear_rate) {
+std::vector<Limit> accuracy_limits(const Setup& setup, std::optional<double> speed, std::optional<double> shear_rate) {
   const Units units{setup.domain.dx, setup.time_step, setup.density};
   std::vector<Limit> limits;
-  add_fluid_limits(limits, units, units.relaxation_time(setup.kinematic_viscosity), interior_viscosity_ratio(setup),
-                   speed, shear_rate);
+  const double tau = units.relaxation_time(setup.kinematic_viscosity);
+  add_fluid_limits(limits, tau, interior_viscosity_ratio(setup));
+  add_flow_limits(limits, units, tau, speed, shear_rate);
   for (const CellType& type : setup.types) add_cell_limits(limits, setup, units, type);
   return limits;
 }
@@ -91,9 +111,12 @@ std::string verdict_name(Verdict verdict) {
       return "good";
     case Verdict::fair:
       return "fair";
-    default:
+    case Verdict::exceeded:
       return "exceeded";
+    case Verdict::unknown:
+      break;
   }
+  return "unknown";
 }
 
 }  // namespace npfem::flow

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,13 +13,14 @@ enum class Verdict {
   good,      ///< below the stricter bound: the error is a fraction of a percent
   fair,      ///< usable; not where volume must be kept to a fraction of a percent
   exceeded,  ///< the run is stable or not, but its answer is not to be trusted
+  unknown,   ///< nothing can be said before the run
 };
 
 /// A number that says how far a setup is from where its method stops being accurate.
 struct Limit {
   std::string name;     ///< for example "kappa_shear rbc"
   std::string meaning;  ///< what it is and what goes wrong when it is large
-  double value;
+  double value;         ///< not a number where it is unknown
   double strict_bound;  ///< good up to here
   double bound;         ///< fair up to here
   Verdict verdict;
@@ -34,9 +36,9 @@ struct Limit {
 ///                      and once for the largest; relative error in volume and deformation about kappa
 ///   3 G_s / (rho (dx/dt)^2 a)           compression of the lattice fluid inside a cell by its own tension
 /// a is the radius of the sphere of the cell's rest area. `speed` (um/us) and `shear_rate` (1/us) are those of the flow
-/// the scene imposes.
-std::vector<Limit> accuracy_limits(const Setup& setup, double speed, double shear_rate);
+/// the scene imposes, where they are known.
+std::vector<Limit> accuracy_limits(const Setup& setup, std::optional<double> speed, std::optional<double> shear_rate);
 
-std::string verdict_name(Verdict verdict);  ///< "good", "fair", "exceeded"
+std::string verdict_name(Verdict verdict);  ///< "good", "fair", "exceeded", "unknown"
 
 }  // namespace npfem::flow

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "geometry/section_flow.h"
+
 namespace npfem::flow {
 namespace {
 
@@ -235,7 +237,7 @@ std::vector<double> inlet_profile(const Domain& domain, const Opening& opening) 
   }
   if (opening.profile == Opening::Profile::plug) return {open.begin(), open.end()};
   const std::array<bool, 3> periodic = domain.periodic();
-  return developed_profile(open, counts, {periodic[u], periodic[v]});
+  return section_flow(open, counts, {periodic[u], periodic[v]}).profile;
 }
 
 }  // namespace npfem::flow

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "geometry/vec3.h"
 
@@ -46,11 +45,5 @@ struct Opening {
   Profile profile = Profile::developed;
   double pressure = 0;  ///< Pa
 };
-
-/// Share of the mean velocity at each node of a section (index u + counts[0] v) in the steady flow along a channel of
-/// that section: the solution of Poisson's equation with a constant source, zero on walls half-way between a fluid
-/// node and a node that is none, of mean 1 over the fluid nodes. Exact for plates.
-std::vector<double> developed_profile(const std::vector<bool>& fluid, const std::array<int, 2>& counts,
-                                      const std::array<bool, 2>& periodic);
 
 }  // namespace npfem::flow

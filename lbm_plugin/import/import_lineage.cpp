@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "file.h"
 #include "geometry/stl_file.h"
@@ -136,13 +137,21 @@ class Importer {
   void place_tube(bool obstacle) {
     const double across = std::min(p_.size[0], p_.size[1]);
     radius_ = wall_ && !obstacle ? wall_->radius : 0.5 * (across - 4 * p_.dx);  // (min(nx, ny) - 5)/2 nodes
-    const double whole = std::round(2 * radius_ / p_.dx) * p_.dx / 2;
-    if (std::abs(whole - radius_) < 1e-3 * p_.dx) radius_ = whole;  // STL holds single precision
+    radius_ = 0.5 * fitted("The tube is", 2 * radius_);
     const Vec3 axis = wall_ && !obstacle ? wall_->middle : scale(0.5, p_.size);
     shift_ = {radius_ - axis[0], radius_ - axis[1], 0};
     room_ = {2 * radius_, 2 * radius_, p_.size[2]};
     note("The box is as wide as the tube: positions are those of the lineage plus (" + um(shift_[0]) + ", " +
          um(shift_[1]) + ", 0 um).");
+  }
+
+  /// The width between walls, which an STL file (in single precision) may put anywhere.
+  double fitted(const std::string& what, double width) {
+    const double whole = whole_spacings(width, p_.dx);
+    if (std::abs(whole - width) > 1e-3 * p_.dx) {
+      note(what + " " + um(whole) + " wide, a whole number of dx_p, instead of " + um(width) + ".");
+    }
+    return whole;
   }
 
   void place_plates(bool obstacle) {
@@ -152,7 +161,7 @@ class Importer {
     const double low = planes ? wall_->low : margin;
     const double high = planes ? wall_->high : p_.size[1] - margin;
     shift_ = {0, -low, 0};
-    room_ = {p_.size[0], high - low, p_.size[2]};
+    room_ = {p_.size[0], fitted("The room between the plates is", high - low), p_.size[2]};
     if (low != 0) note("The box ends at the walls: positions are those of the lineage plus (0, " + um(-low) + ", 0).");
     if (p_.flow != LineageParameters::Flow::shear || p_.packing) return;
     note(
@@ -244,9 +253,23 @@ class Importer {
     if (by_lineage() && (p_.rbc.alpha != p_.platelet.alpha || p_.rbc.beta != p_.platelet.beta)) {
       xml_.fail("ShapeOp_PLT/Calpha", "Calpha and Cbeta must be those of ShapeOp_RBC for the coupling \"lineage\"");
     }
+    if (p_.size_is_rounded) note("lx_p, ly_p, lz_p are rounded to whole numbers of dx_p, as the lineage does.");
+    note_unknown_keys();
     if (!p_.all_cells_written) note("Every cell is written, not a share of them (dump_..._ratio_...).");
     note("Periods are whole: the lineage's cells move by one node less than the box when they cross a periodic face.");
     note("particleEnvelopeWidth has no counterpart; OutputDir is given to npfem run: -o " + p_.output_folder + ".");
+  }
+
+  /// Those of the lineage that steer nothing here are known too.
+  void note_unknown_keys() {
+    static const std::set<std::string> without_effect{"System_Setup/particleEnvelopeWidth", "System_Setup/vel_cap",
+                                                      "System_Setup/vel_cap_fin", "ShapeOp_General/beta_morse"};
+    std::string unknown;
+    for (const std::string& path : xml_.unused()) {
+      if (!without_effect.contains(path) && !path.starts_with("CellPacking/"))
+        unknown += (unknown.empty() ? "" : ", ") + path;
+    }
+    if (!unknown.empty()) note("Unknown to the lineage and to this program, without effect: " + unknown + ".");
   }
 
   std::string relative(const fs::path& path, const fs::path& from) const {

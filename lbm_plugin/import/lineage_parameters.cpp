@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MPL-2.0
 #include "import/lineage_parameters.h"
 
+#include <array>
 #include <cmath>
 
 #include "nearest.h"
@@ -69,6 +70,28 @@ double fraction(const LineageXml& xml, const std::string& key) {
   return value;
 }
 
+/// As the lineage does, to the nearest whole number of spacings.
+void read_size(const LineageXml& xml, P& p) {
+  const std::array<std::string, 3> keys{"System_Setup/lx_p", "System_Setup/ly_p", "System_Setup/lz_p"};
+  p.size_is_rounded = false;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double exact = xml.positive(keys[axis]);
+    const double whole = whole_spacings(exact, p.dx);
+    const bool is_whole = std::abs(whole - exact) <= 1e-6 * p.dx;
+    p.size[axis] = is_whole ? exact : whole;
+    p.size_is_rounded = p.size_is_rounded || !is_whole;
+  }
+}
+
+/// What drives the flow; that of another kind of flow does not count and may be anything.
+double driving(const LineageXml& xml, const std::string& key, bool counts) {
+  const double value = xml.number(key);
+  if (counts && value < 0) {
+    xml.fail(key, xml.text(key) + " must not be negative; turn the scene round where the flow is to go the other way");
+  }
+  return value;
+}
+
 void read_system(const LineageXml& xml, P& p) {
   const std::string s = "System_Setup/";
   p.output_folder = xml.text(s + "OutputDir");
@@ -78,10 +101,10 @@ void read_system(const LineageXml& xml, P& p) {
   p.haematocrit = xml.number(s + "ht") / 100;
   if (p.haematocrit < 0 || p.haematocrit >= 1) xml.fail(s + "ht", "must lie between 0 and 100");
   p.rbc_per_platelet = xml.number(s + "RBCsToPLT");
-  p.size = {xml.positive(s + "lx_p"), xml.positive(s + "ly_p"), xml.positive(s + "lz_p")};
   p.dx = xml.positive(s + "dx_p");
-  p.centre_velocity = xml.number(s + "u_p");
-  p.shear_rate = xml.number(s + "shear_rate") / 1e6;
+  read_size(xml, p);
+  p.centre_velocity = driving(xml, s + "u_p", p.flow != P::Flow::shear);
+  p.shear_rate = driving(xml, s + "shear_rate", p.flow == P::Flow::shear) / 1e6;
   p.output_every = xml.whole_number(s + "output_timestep", 1);
   p.duration = xml.positive(s + "max_time") * 1e6;
   p.write_cells = xml.boolean(s + "printVTKs");
@@ -120,6 +143,11 @@ void read_solver(const LineageXml& xml, P& p) {
 }
 
 }  // namespace
+
+double whole_spacings(double length, double dx) {
+  constexpr double digits = 1e9;
+  return std::round(std::round(length / dx) * dx * digits) / digits;
+}
 
 LineageParameters read_lineage_parameters(const LineageXml& xml) {
   LineageParameters p{};

@@ -27,7 +27,8 @@ struct LineageParameters {
   bool all_cells_written;  ///< its dump ratios are all 0 or 1
   double haematocrit;      ///< share of the box; packing only
   double rbc_per_platelet;
-  Vec3 size;
+  Vec3 size;  ///< whole numbers of dx
+  bool size_is_rounded;
   double dx;
   double tau, time_step;                            ///< one of them is given, the other 0
   double centre_velocity;                           ///< um/us
@@ -51,6 +52,9 @@ struct LineageParameters {
   double relaxation_time() const { return tau > 0 ? tau : 0.5 + 3 * viscosity * time_step / (dx * dx); }
   double step() const { return time_step > 0 ? time_step : (tau - 0.5) / 3 * dx * dx / viscosity; }  ///< us
 };
+
+/// The nearest whole number of spacings dx, um, without the last bits of the product.
+double whole_spacings(double length, double dx);
 
 /// Throws text::InputError with file, line and key.
 LineageParameters read_lineage_parameters(const LineageXml& xml);

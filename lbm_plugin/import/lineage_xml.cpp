@@ -121,7 +121,7 @@ LineageXml LineageXml::parse(std::string_view text, const std::string& name) {
   LineageXml xml;
   xml.name_ = name;
   Parser(text, name).run([&](const std::string& path, const std::string& value, int line) {
-    const auto [element, is_new] = xml.elements_.insert({path, {value, line}});
+    const auto [element, is_new] = xml.elements_.insert({path, {value, line, false}});
     if (!is_new) {
       throw text::InputError(name + ":" + std::to_string(line) + ": " + path + " is given already, in line " +
                              std::to_string(element->second.line));
@@ -132,7 +132,10 @@ LineageXml LineageXml::parse(std::string_view text, const std::string& name) {
 
 const std::string& LineageXml::text(const std::string& path) const {
   const auto found = elements_.find(path);
-  if (found != elements_.end()) return found->second.value;
+  if (found != elements_.end()) {
+    found->second.used = true;
+    return found->second.value;
+  }
   std::vector<std::string> paths;
   for (const auto& [known, element] : elements_) paths.push_back(known);
   const std::string near = text::nearest(path, paths);
@@ -170,6 +173,14 @@ bool LineageXml::boolean(const std::string& path) const {
   std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
   if (word != "true" && word != "false") fail(path, "found \"" + text(path) + "\" where true or false is needed");
   return word == "true";
+}
+
+std::vector<std::string> LineageXml::unused() const {
+  std::vector<std::string> paths;
+  for (const auto& [path, element] : elements_) {
+    if (!element.used) paths.push_back(path);
+  }
+  return paths;
 }
 
 void LineageXml::fail(const std::string& path, const std::string& message) const {

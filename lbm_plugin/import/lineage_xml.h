@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace npfem::flow {
 
@@ -22,6 +23,9 @@ class LineageXml {
   int whole_number(const std::string& path, int least) const;
   bool boolean(const std::string& path) const;
 
+  /// The paths that nobody has asked for so far.
+  std::vector<std::string> unused() const;
+
   /// Throws an InputError that names file, line and key.
   [[noreturn]] void fail(const std::string& path, const std::string& message) const;
 
@@ -29,6 +33,7 @@ class LineageXml {
   struct Element {
     std::string value;
     int line = 0;
+    mutable bool used = false;
   };
   std::string name_;
   std::map<std::string, Element> elements_;  // by path

@@ -129,6 +129,9 @@ Rheology measure(const Simulation& simulation, std::span<const CellState> local_
                                                               : velocity.plain / velocity.found;
   r.relative_viscosity = std::isfinite(ratio) && ratio != 0 ? ratio : unknown;
   r.cell_free_layer = cell_free_layer(domain, local_cells, communicator);
+  const Counters counters = simulation.counters();
+  r.least_gap = counters.least_gap_um;
+  r.worst_volume_error = counters.worst_volume_error;
   count_cells(setup, gather(setup, local_cells, communicator), r);
   return r;
 }
@@ -136,7 +139,7 @@ Rheology measure(const Simulation& simulation, std::span<const CellState> local_
 std::string header_for(const Setup& setup) {
   std::string header =
       "step,time_us,wall_stress_Pa,apparent_viscosity_mPa_s,relative_viscosity,mean_velocity_um_per_us,"
-      "flow_rate_um3_per_us,haematocrit,discharge_haematocrit,cell_free_layer_um";
+      "flow_rate_um3_per_us,haematocrit,discharge_haematocrit,cell_free_layer_um,least_gap_um,worst_volume_error";
   for (const CellType& type : setup.types) {
     for (const char* axis : {"x", "y", "z"}) header += ",msd_" + type.name + "_" + axis + "_um2";
   }
@@ -148,9 +151,9 @@ std::string line_of(const Simulation& simulation, const Rheology& r) {
   const double milli_pascal_seconds = setup.density * setup.kinematic_viscosity / 1000;
   std::string line = std::to_string(simulation.steps_done());
   const auto put = [&](double value) { line += ',' + (std::isfinite(value) ? text::format_number(value) : ""); };
-  for (const double value :
-       {simulation.time_us(), r.wall_stress, r.relative_viscosity * milli_pascal_seconds, r.relative_viscosity,
-        r.mean_velocity, r.flow_rate, r.haematocrit, r.discharge_haematocrit, r.cell_free_layer}) {
+  for (const double value : {simulation.time_us(), r.wall_stress, r.relative_viscosity * milli_pascal_seconds,
+                             r.relative_viscosity, r.mean_velocity, r.flow_rate, r.haematocrit, r.discharge_haematocrit,
+                             r.cell_free_layer, r.least_gap, r.worst_volume_error}) {
     put(value);
   }
   for (const Vec3& displacement : r.displacement) {
@@ -204,7 +207,9 @@ std::vector<std::pair<std::string, double>> rheology_means(const std::filesystem
   for (std::size_t column = 2; column < names.size(); ++column) {
     double sum = 0;
     for (const auto& row : rows) sum += row[column] / static_cast<double>(rows.size());
-    means.emplace_back(names[column], names[column].starts_with("msd_") ? rows.back()[column] : sum);
+    const bool is_so_far =
+        names[column].starts_with("msd_") || names[column].starts_with("least_") || names[column].starts_with("worst_");
+    means.emplace_back(names[column], is_so_far ? rows.back()[column] : sum);
   }
   return means;
 }

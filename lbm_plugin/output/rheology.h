@@ -26,7 +26,9 @@ struct Rheology {
   double haematocrit = 0;            ///< of the vessel: volume of the cells over that open to the fluid
   double discharge_haematocrit = 0;  ///< of what flows out
   double cell_free_layer = 0;        ///< um
-  std::vector<Vec3> displacement;    ///< um2, mean square along x, y, z of the cells of each type since their placement
+  double least_gap = 0;              ///< um, and the next: the worst so far, see Counters
+  double worst_volume_error = 0;
+  std::vector<Vec3> displacement;  ///< um2, mean square along x, y, z of the cells of each type since their placement
 };
 
 /// rheology.csv: one line per time, from the first step on. Calls are collective; what they say is the same for any
@@ -46,8 +48,8 @@ class RheologyTable {
   TableFile file_;
 };
 
-/// Every column of a rheology.csv averaged over the second half of its time, displacements as they are in the last
-/// line; empty without a line. Used by one rank.
+/// Every column of a rheology.csv averaged over the second half of its time, displacements and what is the worst so
+/// far as they are in the last line; empty without a line. Used by one rank.
 std::vector<std::pair<std::string, double>> rheology_means(const std::filesystem::path& path);
 
 }  // namespace npfem::flow

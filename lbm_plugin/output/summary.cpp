@@ -109,6 +109,8 @@ std::string to_json(const Summary& s) {
       {"volume_error", s.volume_error},
       {"minimum_gap_um", s.minimum_gap_um},
       {"crossing_triangles", s.crossings},
+      {"least_gap_um", s.counters.least_gap_um},
+      {"worst_volume_error", s.counters.worst_volume_error},
       {"worst_residual_pN", s.worst_residual_pN},
       {"iterations_per_cell_step", s.iterations_per_cell_step},
       {"rheology", rheology},

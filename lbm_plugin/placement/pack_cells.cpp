@@ -9,6 +9,7 @@
 #include "geometry/cell_shape.h"
 #include "geometry/morton.h"
 #include "placement/rigid_crowd.h"
+#include "placement/rigid_fit.h"
 #include "placement/soft_crowd.h"
 #include "quantity.h"
 
@@ -76,7 +77,9 @@ class Packer {
   PackedCells run() {
     if (setup_.cells.empty()) return {};
     RigidCrowd crowd(setup_.domain, setup_.types, request_.counts, rigid_gap * radius_, request_.seed);
-    result_.overlap_before = std::max(0.0, -gap_of(surfaces_of(crowd)));
+    if (!request_.start.empty()) crowd.start_from(as_rigid());
+    result_.overlap_before = std::max(0.0, -gap_of(request_.start.empty() ? surfaces_of(crowd) : surfaces_given()));
+    if (request_.start.empty()) crowd.part_centres();
     if (!part(crowd) || !settle(crowd)) {
       result_.interrupted = true;
       return result_;
@@ -85,6 +88,26 @@ class Packer {
   }
 
  private:
+  std::vector<RigidCell> as_rigid() const {
+    std::vector<RigidCell> cells;
+    for (const CellStart& cell : request_.start) {
+      const std::vector<double>& shape = setup_.types[static_cast<std::size_t>(cell.type)].shape;
+      const Rotation rotation = rotation_between(shape, cell.positions);
+      const Vec3 centre = subtract(middle_of(cell.positions), rotate(rotation, middle_of(shape)));
+      cells.push_back({cell.type, centre, rotation, 1.0, false});
+    }
+    return cells;
+  }
+
+  std::vector<CellSurface> surfaces_given() const {
+    std::vector<CellSurface> cells;
+    for (std::size_t c = 0; c < request_.start.size(); ++c) {
+      const CellStart& cell = request_.start[c];
+      cells.push_back({static_cast<int>(c), cell.type, cell.positions});
+    }
+    return cells;
+  }
+
   std::vector<CellSurface> surfaces_of(const RigidCrowd& crowd) const {
     std::vector<CellSurface> cells;
     for (std::size_t c = 0; c < crowd.cells().size(); ++c) {
@@ -99,7 +122,6 @@ class Packer {
 
   /// False where it was interrupted.
   bool part(RigidCrowd& crowd) {
-    crowd.part_centres();
     double least = 1e300;
     int last_progress = 0;
     for (int& step = result_.rigid_steps; step < most_rigid_steps && step - last_progress < rigid_patience;) {

@@ -198,11 +198,11 @@ class Placer {
     const int wanted =
         std::accumulate(request_.counts.begin(), request_.counts.end(), 0) + static_cast<int>(request_.given.size());
     const double volume = domain_.fluid_volume();
-    throw PlacementError("no room for " + std::to_string(wanted) + " cells (haematocrit " +
-                         fixed_text(asked / volume, "%.3f") + "): random placement stopped at haematocrit " +
-                         fixed_text(reached / volume, "%.3f") + " with " + std::to_string(full) +
-                         " cells at full size; lower the haematocrit or placement.gap (now " +
-                         fixed_text(request_.gap, "%.3g") + " um), take a larger domain, or pack deformable cells first (npfem pack)");
+    throw PlacementError(
+        "no room for " + std::to_string(wanted) + " cells (haematocrit " + fixed_text(asked / volume, "%.3f") +
+        "): random placement stopped at haematocrit " + fixed_text(reached / volume, "%.3f") + " with " +
+        std::to_string(full) + " cells at full size; lower the haematocrit or placement.gap (now " +
+        fixed_text(request_.gap, "%.3g") + " um), take a larger domain, or pack deformable cells first (npfem pack)");
   }
 
   Domain domain_;

@@ -92,6 +92,11 @@ void RigidCrowd::strew(std::span<const int> counts, std::uint64_t seed) {
       cells_.push_back({static_cast<int>(type), centre, random.rotation(), 1.0, false});
     }
   }
+  start_from(std::move(cells_));
+}
+
+void RigidCrowd::start_from(std::vector<RigidCell> cells) {
+  cells_ = std::move(cells);
   xyz_.resize(cells_.size());
   boxes_.resize(cells_.size());
   velocity_.assign(cells_.size(), Vec3{});

@@ -34,6 +34,9 @@ class RigidCrowd {
   RigidCrowd(const Domain& domain, std::span<const CellType> types, std::span<const int> counts, double gap,
              std::uint64_t seed);
 
+  /// Puts the cells there instead.
+  void start_from(std::vector<RigidCell> cells);
+
   /// Parts the centres as if each cell were a ball of its volume. Until then discs may be skewered like beads.
   void part_centres();
 

@@ -25,6 +25,14 @@ int type_named(const Table& table, const Key& key, const Scene& scene, bool or_w
   table.fail(key.name, "no type of cells is called \"" + name + "\"" + text::suggestion(name, names));
 }
 
+/// An attraction begins where the repulsion ends: without one there is none.
+void require_range(const Table& table, const Key& attraction, const ContactLaw& law) {
+  if (law.depth == 0 || law.active()) return;
+  table.fail(attraction.name,
+             "acts beyond \"range\", which is 0 and switches the whole contact off: give a range above 0, or leave the "
+             "attraction out");
+}
+
 PairContact read_pair(const Table& table, const Scene& scene) {
   PairContact pair{};
   pair.first = type_named(table, keys::first, scene, false);
@@ -37,6 +45,7 @@ PairContact read_pair(const Table& table, const Scene& scene) {
   take(keys::pair_strength, pair.law.strength);
   take(keys::pair_attraction, pair.law.depth);
   take(keys::pair_attraction_width, pair.law.width);
+  if (table.has(keys::pair_attraction)) require_range(table, keys::pair_attraction, pair.law);
   return pair;
 }
 
@@ -48,6 +57,7 @@ void read_contact(const Table& table, Scene& scene) {
   const double width = table.quantity(keys::attraction_width);
   contact.cells = {table.has(keys::range) ? table.quantity(keys::range) : setup.domain.dx,
                    table.quantity(keys::strength), table.quantity(keys::attraction), width};
+  require_range(table, keys::attraction, contact.cells);
   contact.walls = {table.has(keys::wall_range) ? table.quantity(keys::wall_range) : setup.domain.dx,
                    table.quantity(keys::wall_strength), 0, width};
   for (const Table& entry : table.tables("pairs")) {

@@ -32,8 +32,10 @@ Signal read_waveform(const text::Table& table);
 void read_fluid(const text::Table& table, Setup& setup);
 /// What drives the fluid, and how; needs domain and fluid.
 void read_flow(const text::Table& root, Scene& scene);
-/// Seed, gap and cells file; `folder` is the scene's.
+/// The cells file; `folder` is the scene's.
 void read_placement(const text::Table& table, Scene& scene, const std::filesystem::path& folder);
+/// Seed and gap; needs the cells.
+void read_random_placement(const text::Table& table, Scene& scene);
 /// One [[cells]] table, of which `scene` has those that stand before it; needs the placement.
 CellsRequest read_cells(const text::Table& table, const Scene& scene, const std::filesystem::path& folder);
 /// The cells of the cells file, where there is one, to the types that the scene lists.

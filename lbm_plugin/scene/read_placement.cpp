@@ -11,8 +11,6 @@ namespace npfem::flow {
 using text::Table;
 
 void read_placement(const Table& table, Scene& scene, const std::filesystem::path& folder) {
-  scene.seed = static_cast<std::uint64_t>(table.integer(keys::seed));
-  scene.gap = table.quantity(keys::gap);
   if (!table.has(keys::file)) return;
   scene.cells_file = path_from(table.text(keys::file), folder);
   try {
@@ -22,6 +20,16 @@ void read_placement(const Table& table, Scene& scene, const std::filesystem::pat
   } catch (const text::InputError& error) {
     table.fail(keys::file.name, error.what());
   }
+}
+
+void read_random_placement(const Table& table, Scene& scene) {
+  const auto is_listed = [](const CellsRequest& request) { return !request.positions.empty(); };
+  if (!scene.requests.empty() && std::all_of(scene.requests.begin(), scene.requests.end(), is_listed)) {
+    return refuse(table, {&keys::seed, &keys::gap},
+                  "no cell is placed at random, since \"positions\" lists them all; leave this out");
+  }
+  scene.seed = static_cast<std::uint64_t>(table.integer(keys::seed));
+  scene.gap = table.quantity(keys::gap);
 }
 
 void match_stored_cells(const Table& placement, Scene& scene) {

@@ -79,15 +79,35 @@ std::int64_t whole_steps(const Table& table, const Key& key, double time_step) {
   return steps > 0 ? std::max<std::int64_t>(1, std::llround(steps)) : 0;
 }
 
-/// Whichever of steps and time comes first, so that either shortens a run.
+/// The driving is set anew when the cells are solved and holds between: a period is then sampled at so many points.
+void require_slow_waveform(const Table& flow, const Setup& setup) {
+  constexpr double least_points = 20;
+  if (setup.waveform.is_constant()) return;
+  const double between = setup.coupling.steps_per_solve * setup.time_step;
+  const double period = setup.waveform.period();
+  if (period >= least_points * between) return;
+  flow.table("waveform")
+      .fail(keys::period.name, format_quantity(period, "us") + " is less than 20 times the " +
+                                   format_quantity(rounded(between), "us") +
+                                   " for which the driving is held (time_step x cell_every): the flow would not follow "
+                                   "the wave; take a longer period, a smaller time step or a smaller cell_every");
+}
+
+/// Steps may shorten the time, as in --set run.steps=10; more of them than it lasts would be ignored.
 std::int64_t read_steps(const Table& table, double time_step) {
   const bool by_steps = table.has(keys::steps);
   const bool by_time = table.has(keys::time);
   if (!by_steps && !by_time) table.fail("\"steps\" or \"time\" is needed");
   std::int64_t steps = std::numeric_limits<std::int64_t>::max();
   if (by_steps) steps = table.integer(keys::steps);
-  if (by_time) steps = std::min(steps, whole_steps(table, keys::time, time_step));
-  return steps;
+  if (!by_time) return steps;
+  const std::int64_t whole = whole_steps(table, keys::time, time_step);
+  if (by_steps && steps > whole) {
+    table.fail(keys::steps.name, std::to_string(steps) + " are more than the " + std::to_string(whole) +
+                                     " of \"run.time\", " + format_quantity(table.quantity(keys::time), "us") +
+                                     ", which ends the run first; give a longer time, or no steps");
+  }
+  return std::min(steps, whole);
 }
 
 OutputSettings read_output(const Table& table, double time_step) {
@@ -127,8 +147,10 @@ Scene read(text::Document document, const std::filesystem::path& folder, const s
   const Table placement = root.table("placement");
   read_placement(placement, scene, folder);
   for (const Table& cells : root.tables("cells")) scene.requests.push_back(read_cells(cells, scene, folder));
+  read_random_placement(placement, scene);
   match_stored_cells(placement, scene);
   read_coupling(root.table("coupling"), setup);
+  require_slow_waveform(root.table("flow"), setup);
   scene.solver_options = read_solver(root.table("solver"));
   setup.coupling.lineage_steps = setup.coupling.scheme == CouplingScheme::lineage;
   if (setup.coupling.lineage_steps) {

@@ -47,6 +47,13 @@ struct OutputSettings {
   int checkpoint_keep = 2;
 };
 
+/// How fast the flow without cells becomes.
+struct FlowScale {
+  std::optional<double> velocity = 0;    ///< largest, um/us; none: unknown
+  std::optional<double> shear_rate = 0;  ///< largest, 1/us; none: unknown
+  bool estimated = false;                ///< from the narrowest section, see geometry/channel_flow.h; else exact
+};
+
 /// A scene file, read and checked as far as that goes without making any cell.
 struct Scene {
   explicit Scene(text::Document read) : document(std::move(read)) {}
@@ -63,8 +70,8 @@ struct Scene {
   std::vector<StoredCells> stored;  ///< with a cells file: its cells, by request
   std::int64_t steps = 0;
   OutputSettings output;
-  double largest_velocity = 0;    ///< um/us, of the steady flow without cells
-  double largest_shear_rate = 0;  ///< 1/us, the same
+  FlowScale flow;
+  std::vector<std::string> warnings;  ///< of what the scene asks for and may not mean
 };
 
 /// Reads the file; `assignments` are like "run.steps=100". Throws text::InputError (with file, line and column) or

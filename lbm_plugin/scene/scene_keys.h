@@ -61,11 +61,10 @@ inline constexpr Key tau{
     .range = Range::positive,
     .fallback = optional,
     .doc = "Relaxation time in time steps, above 0.5; sets the time step. Either this or `time_step`."};
-inline constexpr Key magic_parameter{
-    .name = "magic_parameter",
-    .range = Range::positive,
-    .fallback = "0.1875",
-    .doc = "Of the two-relaxation-time collision; 3/16 puts flat walls exactly half-way."};
+inline constexpr Key magic_parameter{.name = "magic_parameter",
+                                     .range = Range::positive,
+                                     .fallback = "0.1875",
+                                     .doc = "Of the collision `trt` only; 3/16 puts flat walls exactly half-way."};
 
 inline constexpr Key collision{
     .name = "collision",
@@ -93,17 +92,20 @@ inline constexpr Key mean_velocity{.name = "mean_velocity",
                                    .fallback = optional,
                                    .doc =
                                        "Tube and plates: sets the body force that would drive the fluid without cells "
-                                       "at this mean velocity, along z in a tube and along x between plates."};
-inline constexpr Key centre_velocity{.name = "centre_velocity",
-                                     .dimension = Dimension::velocity(),
-                                     .range = Range::non_negative,
-                                     .fallback = optional,
-                                     .doc = "The same, by the velocity in the middle."};
+                                       "and without solids at this mean velocity, along z in a tube and along x "
+                                       "between plates. With solids in the channel the flow is slower; the program "
+                                       "then warns and estimates by how much."};
+inline constexpr Key centre_velocity{
+    .name = "centre_velocity",
+    .dimension = Dimension::velocity(),
+    .range = Range::non_negative,
+    .fallback = optional,
+    .doc = "The same, by the velocity in the middle; Palabos-npFEM does not count solids either."};
 inline constexpr Key pressure_gradient{.name = "pressure_gradient",
                                        .dimension = Dimension::force_density(),
                                        .range = Range::non_negative,
                                        .fallback = optional,
-                                       .doc = "The same, by the pressure drop per length."};
+                                       .doc = "Pressure drop per length: the body force itself, whatever the walls."};
 inline constexpr Key axis{.name = "axis",
                           .kind = Kind::choice,
                           .choices = "x y z",
@@ -117,7 +119,11 @@ inline constexpr Key start{.name = "start",
 
 // [flow.waveform]
 inline constexpr Key period{
-    .name = "period", .dimension = Dimension::time(), .range = Range::positive, .doc = "Of the beat."};
+    .name = "period",
+    .dimension = Dimension::time(),
+    .range = Range::positive,
+    .doc =
+        "Of the beat; at least 20 steps of the cells (`time_step` x `cell_every`), between which the driving holds."};
 inline constexpr Key mean{.name = "mean", .fallback = optional, .doc = "Of the factor. Default: 1."};
 inline constexpr Key amplitude{
     .name = "amplitude", .fallback = optional, .doc = "Of a factor mean + amplitude sin(2 pi t/period + phase)."};
@@ -220,7 +226,7 @@ inline constexpr Key seed{.name = "seed",
                           .kind = Kind::integer,
                           .range = Range::non_negative,
                           .fallback = "1",
-                          .doc = "Of the random placement."};
+                          .doc = "Of the random placement; refused where `positions` lists every cell."};
 inline constexpr Key gap{.name = "gap",
                          .dimension = Dimension::length(),
                          .range = Range::non_negative,
@@ -357,7 +363,7 @@ inline constexpr Key steps{.name = "steps",
                            .kind = Kind::integer,
                            .range = Range::non_negative,
                            .fallback = optional,
-                           .doc = "Fluid steps of the run. With `time` too, whichever comes first."};
+                           .doc = "Fluid steps of the run. With `time` too they may shorten it, not go beyond."};
 inline constexpr Key time{.name = "time",
                           .dimension = Dimension::time(),
                           .range = Range::non_negative,

@@ -20,6 +20,7 @@ class Signal {
   static Signal table(std::vector<Point> points, double period);
 
   bool is_constant() const { return period_ == 0; }
+  double period() const { return period_; }  ///< us; 0 where it is constant
   /// At the time t >= 0, us; the same, to round-off of t, in every period.
   double at(double t) const;
   /// Largest magnitude.

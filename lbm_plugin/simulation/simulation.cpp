@@ -78,6 +78,7 @@ struct Simulation::State {
   void let_cells_leave();
   void mark_interior();
   void record(const CellStepReport& report);
+  double own_volume_error() const;
   void record_failures(const std::vector<LocalFailure>& local);
   bool solves_now() const { return coupling && steps % setup.coupling.steps_per_solve == 0; }
   std::vector<CellSurface> surfaces() const;
@@ -240,6 +241,10 @@ void Simulation::State::record(const CellStepReport& report) {
   counters.cell_steps += report.cell_steps;
   counters.iterations += report.iterations;
   counters.worst_residual_pN = std::max(counters.worst_residual_pN, report.worst_residual);
+  constexpr std::int64_t solves_between = 10;
+  if (steps / setup.coupling.steps_per_solve % solves_between == 0) {
+    counters.worst_volume_error = std::max(counters.worst_volume_error, own_volume_error());
+  }
   if (communicator.any(!report.failures.empty())) record_failures(report.failures);
 }
 
@@ -352,7 +357,14 @@ Counters Simulation::counters() const {
   total.exchange_seconds = state_->link ? state_->link->seconds().all() : 0;
   total.cell_seconds = state_->coupling_seconds - total.exchange_seconds;
 
+  if (state_->link) total.least_gap_um = state_->link->least_contact_distance();
+  total.worst_volume_error = std::max(total.worst_volume_error, state_->own_volume_error());
+  std::array<double, 2> worst{-total.least_gap_um, total.worst_volume_error};
+  state_->communicator.maximum(worst);
+
   const Counters& earlier = state_->earlier;
+  total.least_gap_um = std::min(-worst[0], earlier.least_gap_um);
+  total.worst_volume_error = std::max(worst[1], earlier.worst_volume_error);
   total.cell_steps += earlier.cell_steps;
   total.iterations += earlier.iterations;
   total.worst_residual_pN = std::max(total.worst_residual_pN, earlier.worst_residual_pN);
@@ -362,14 +374,19 @@ Counters Simulation::counters() const {
   return total;
 }
 
-double Simulation::volume_error() const {
+double Simulation::State::own_volume_error() const {
   double worst = 0;
-  for (const CellPopulation::Cell& cell : state_->cells.cells()) {
+  for (const CellPopulation::Cell& cell : cells.cells()) {
     double volume = 0;
-    const std::int32_t handle = state_->cells.batch(cell.type).handle();
+    const std::int32_t handle = cells.batch(cell.type).handle();
     api::check(npfem_batch_measure(handle, "volume", cell.slot, 1, &volume, 1));
-    worst = std::max(worst, std::abs(volume / state_->start_volumes[static_cast<std::size_t>(cell.type)] - 1.0));
+    worst = std::max(worst, std::abs(volume / start_volumes[static_cast<std::size_t>(cell.type)] - 1.0));
   }
+  return worst;
+}
+
+double Simulation::volume_error() const {
+  double worst = state_->own_volume_error();
   state_->communicator.maximum(std::span(&worst, 1));
   return worst;
 }

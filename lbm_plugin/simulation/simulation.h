@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -50,6 +51,10 @@ struct Counters {
   double fluid_seconds = 0;      ///< in the lattice
   double cell_seconds = 0;       ///< in the cell solver and in moving cells between ranks
   double exchange_seconds = 0;   ///< between vertices and nodes: interpolation, spreading, contacts, messages
+  /// Least distance (um) of a vertex to another cell in any solve, negative inside it; infinite while none has come
+  /// within the range of contacts.
+  double least_gap_um = std::numeric_limits<double>::infinity();
+  double worst_volume_error = 0;  ///< of any cell, looked at in every tenth solve
 };
 
 /// A suspension of deformable cells in a lattice Boltzmann fluid: the whole coupled run, one fluid step at a time.

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MPL-2.0
 """A dense suspension, packed and run: the same bits for any number of ranks and threads."""
+import csv
 import json
 import os
+import pathlib
 
 import pytest
 
@@ -58,6 +60,7 @@ def test_the_same_bits_for_any_ranks_and_threads(program, packed, tmp_path):
     # Cells lie across the faces, edges and corners of the blocks, and touch: without contacts the state is another.
     assert alone["minimum_gap_um"] < 0.3 and alone["crossing_triangles"] == 0
     assert alone["momentum_error"] < 1e-12 and alone["volume_error"] < 5e-3
+    assert 0 < alone["least_gap_um"] < 0.5 and alone["worst_volume_error"] >= alone["volume_error"]
     untouched = program("run", packed, "-o", tmp_path / "untouched", "--quiet", "--set", 'contact.range="0 um"')
     assert untouched.returncode == 0
     assert json.loads((tmp_path / "untouched" / "summary.json").read_text())["state_hash"] != alone["state_hash"]
@@ -67,4 +70,32 @@ def test_the_same_bits_for_any_ranks_and_threads(program, packed, tmp_path):
         pytest.skip("built without MPI")
     for ranks in (2, 3, 4, 8):
         several = summary_of(program, packed, tmp_path / str(ranks), ranks=ranks)
-        assert (several["ranks"], several["state_hash"]) == (ranks, alone["state_hash"])
+        for measure in ("state_hash", "least_gap_um", "worst_volume_error"):
+            assert (several["ranks"], several[measure]) == (ranks, alone[measure])
+
+
+def test_dense_shear_keeps_cells_apart_and_their_volume(program, tmp_path):
+    """examples/dense_shear, in every step of the run and not only at its end."""
+    steps = int(os.environ.get("NPFEM_DENSE_STEPS", "0"))
+    if steps == 0:
+        pytest.skip("for the night: NPFEM_DENSE_STEPS is not set")
+    example = pathlib.Path(__file__).resolve().parents[2] / "examples" / "dense_shear" / "scene.toml"
+    packed = tmp_path / "packed.toml"
+    assert program("pack", example, "-o", packed, "--quiet").returncode == 0
+    # resumed half-way: the worst so far goes on
+    half = program("run", packed, "-o", tmp_path / "out", "--quiet", "--set", "run.steps=%d" % (steps // 2),
+                   "--set", "output.cells=false", "--set", "output.fluid=false",
+                   "--set", "output.checkpoint_every=%d" % (steps // 2))
+    assert half.returncode == 0, half.stderr
+    first = json.loads((tmp_path / "out" / "summary.json").read_text())
+    rest = program("resume", tmp_path / "out", "--quiet", "--set", "run.steps=%d" % steps)
+    assert rest.returncode == 0, rest.stderr
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert summary["steps"] == steps and summary["failed_cells"] == 0
+    assert abs(summary["haematocrit"] - 0.35) < 0.005
+    assert summary["crossing_triangles"] == 0 and first["crossing_triangles"] == 0
+    assert 0 < summary["least_gap_um"] <= first["least_gap_um"]
+    assert first["worst_volume_error"] <= summary["worst_volume_error"] < 0.005
+    with open(tmp_path / "out" / "rheology.csv") as table:
+        gaps = [float(row["least_gap_um"]) for row in csv.DictReader(table)]
+    assert gaps == sorted(gaps, reverse=True) and gaps[-1] == summary["least_gap_um"]

@@ -75,6 +75,28 @@ def test_an_absurd_size_is_planned_at_once_and_not_run(program, scene, tmp_path,
     assert not (tmp_path / "out").exists()
 
 
+def test_plan_estimates_the_flow_of_a_narrow_place(program):
+    scene = pathlib.Path(__file__).resolve().parents[2] / "examples" / "constriction" / "scene.toml"
+    text = program("plan", scene).stdout
+    assert "an estimate by the narrowest section" in text
+    plan = json.loads(program("plan", scene, "--json").stdout)
+    assert plan["flow"]["estimated"] is True
+    # 4 mm/s in 16 um is 16 mm/s in 8 um: 32 mm/s on the axis, 4 U/R at the wall
+    assert abs(plan["flow"]["largest_velocity_um_per_us"] / 0.032 - 1) < 0.1
+    assert abs(plan["flow"]["largest_shear_rate_per_us"] / 0.016 - 1) < 0.15
+
+
+def test_a_mean_velocity_with_solids_is_warned_of(program, tmp_path):
+    slit = pathlib.Path(__file__).resolve().parents[2] / "examples" / "slit" / "scene.toml"
+    scene = tmp_path / "slit.toml"
+    scene.write_text(slit.read_text().replace('pressure_gradient = "4 MPa/m"', 'mean_velocity = "1 mm/s"'))
+    warning = "flow.mean_velocity: the force, 0.1 MPa/m, is that of the channel without the solids in it"
+    assert warning in program("plan", scene).stdout
+    assert warning in program("validate", scene).stdout
+    run = program("run", scene, "-o", tmp_path / "out", "--quiet", "--set", "run.steps=0")
+    assert run.returncode == 0 and warning in run.stderr
+
+
 def test_validate(program, scene):
     assert "valid; 3 cells placed" in program("validate", scene).stdout
     valid = json.loads(program("validate", scene, "--json").stdout)

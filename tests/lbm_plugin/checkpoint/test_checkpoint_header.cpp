@@ -21,7 +21,7 @@ TEST(CheckpointHeader, ReadsBackToTheBit) {
   header.step = 123456789012;
   header.time_us = 0.1 + 0.2;
   header.wall_s = 1.0 / 3.0;
-  header.counters = {5, 7, 1e-7 / 3, 0.1, 0.2, 0.3};
+  header.counters = {5, 7, 1e-7 / 3, 0.1, 0.2, 0.3, -0.02, 0.1 / 3};
   header.failures = {{3, 0, 17, "said \"no\""}};
   header.departures = {{12, 1, 17, Face::y_high, {0.1 + 0.2, -1.0 / 3.0, 5}, 1e2 / 3}, {4, 0, 19, Face::x_low, {}, 0}};
   for (std::size_t i = 0; i < header.audit.size(); ++i) header.audit[i] = std::sqrt(static_cast<double>(i) + 0.5);
@@ -34,6 +34,10 @@ TEST(CheckpointHeader, ReadsBackToTheBit) {
   EXPECT_EQ(back.time_us, header.time_us);
   EXPECT_EQ(back.wall_s, header.wall_s);
   EXPECT_EQ(back.counters.worst_residual_pN, header.counters.worst_residual_pN);
+  EXPECT_EQ(back.counters.least_gap_um, header.counters.least_gap_um);
+  EXPECT_EQ(back.counters.worst_volume_error, header.counters.worst_volume_error);
+  header.counters.least_gap_um = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(header_from_json(to_json(header)).counters.least_gap_um, header.counters.least_gap_um);
   ASSERT_EQ(back.failures.size(), 1u);
   EXPECT_EQ(back.failures[0].reason, "said \"no\"");
   EXPECT_EQ(back.departures, header.departures);

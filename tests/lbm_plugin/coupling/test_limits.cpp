@@ -61,6 +61,15 @@ TEST(Limits, AreThoseOfTheCouplingInUse) {
   EXPECT_EQ(accuracy_limits(setup, 0, 0).size(), 3u);
 }
 
+TEST(Limits, AreNotJudgedWhereTheFlowIsUnknown) {
+  const auto limits = accuracy_limits(worked_example(1), std::nullopt, std::nullopt);
+  for (const char* name : {"Ma", "gdot_T"}) {
+    EXPECT_EQ(limit(limits, name).verdict, Verdict::unknown);
+    EXPECT_TRUE(std::isnan(limit(limits, name).value));
+  }
+  EXPECT_EQ(verdict_name(Verdict::unknown), "unknown");
+}
+
 TEST(Limits, ScaleWithTheModulus) {
   const auto limits = accuracy_limits(worked_example(1), 0, 0);
   const auto model = worked_example(1).types[0].model;

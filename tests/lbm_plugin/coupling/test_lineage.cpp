@@ -54,7 +54,9 @@ TEST(Lineage, LeavesACellAtRestAlone) {
   for (std::size_t i = 0; i < before.size(); ++i) EXPECT_NEAR(after[i], before[i], 1e-10);
 }
 
-TEST(Lineage, DeformsACapsuleInShearAsTheImplicitCouplingDoes) {
+/// Measured: D = 0.2309 by the implicit coupling and 0.1950 by this one, which takes the traction of the fluid from
+/// nodes farther out, where the disturbance is less.
+TEST(Lineage, DeformsACapsuleInShearAlmostAsTheImplicitCouplingDoes) {
   const auto run = [](CouplingScheme scheme, const char* density) {
     SerialCommunicator self;
     const flow::Setup setup = capsule_in_shear(scheme, 0.01, density);
@@ -68,8 +70,8 @@ TEST(Lineage, DeformsACapsuleInShearAsTheImplicitCouplingDoes) {
   };
   const auto [implicit, closed] = run(CouplingScheme::implicit, "");
   const auto [lineage, open] = run(CouplingScheme::lineage, kDensity);
-  EXPECT_GT(implicit, 0.02);
-  EXPECT_NEAR(lineage, implicit, 0.3 * implicit);
+  EXPECT_NEAR(implicit, 0.231, 0.005);
+  EXPECT_NEAR(lineage / implicit, 0.845, 0.02);
   EXPECT_LT(closed, 1e-10);
   EXPECT_GT(open, 1e-6) << "the forces on fluid and cell are not each other's opposite";
 }

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "geometry/domain.h"
+#include "geometry/section_flow.h"
 #include "simulation/start.h"
 
 namespace npfem::flow {
@@ -42,7 +43,7 @@ TEST(Openings, AFaceOppositeToAnOpeningIsAWall) {
 
 TEST(Openings, DevelopedProfileIsExactBetweenPlates) {
   constexpr int n = 13;
-  const std::vector<double> profile = developed_profile(std::vector<bool>(n * 5, true), {n, 5}, {false, true});
+  const std::vector<double> profile = section_flow(std::vector<bool>(n * 5, true), {n, 5}, {false, true}).profile;
   double mean = 0;
   for (int u = 0; u < n; ++u) mean += (u + 0.5) * (n - u - 0.5) / n;
   for (int v = 0; v < 5; ++v) {
@@ -73,7 +74,7 @@ TEST(Openings, DevelopedProfileOfATubeIsAParabola) {
 
 TEST(Openings, DevelopedProfileOfASquareDuct) {
   // largest over mean velocity of a square duct: 2.0962 (Shah & London 1978)
-  const std::vector<double> profile = developed_profile(std::vector<bool>(40 * 40, true), {40, 40}, {false, false});
+  const std::vector<double> profile = section_flow(std::vector<bool>(40 * 40, true), {40, 40}, {false, false}).profile;
   EXPECT_NEAR(*std::max_element(profile.begin(), profile.end()), 2.0962, 0.005);
 }
 
@@ -83,7 +84,8 @@ TEST(Openings, PlugAndUnboundedSectionsAreFlat) {
   const std::vector<double> profile = inlet_profile(domain, domain.openings[0]);
   EXPECT_EQ(profile[20 + 40 * 20], 1);
   EXPECT_EQ(profile[0], 0) << "beside the tube";
-  for (const double share : developed_profile(std::vector<bool>(12, true), {4, 3}, {true, true})) EXPECT_EQ(share, 1);
+  for (const double share : section_flow(std::vector<bool>(12, true), {4, 3}, {true, true}).profile)
+    EXPECT_EQ(share, 1);
 }
 
 TEST(Openings, TheLatticeIsGivenThem) {

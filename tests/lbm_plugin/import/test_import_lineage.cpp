@@ -176,6 +176,42 @@ TEST_F(ImportLineage, PlatesAndTubesWithoutWallFile) {
   EXPECT_GT(plates.setup.body_force[2], 0);
 }
 
+TEST_F(ImportLineage, SizesAreRoundedToWholeSpacings) {
+  change("obstacle_params.xml", "<dx_p> 0.5 </dx_p>", "<dx_p> 0.3 </dx_p>");
+  const LineageImport imported = import("obstacle_params.xml");
+  const Scene scene = made(imported);
+  EXPECT_EQ(scene.setup.domain.nodes, (std::array<int, 3>{63, 63, 133})) << "20 um are 67 spacings, 40 um 133";
+  EXPECT_NE(imported.scene.find("# - lx_p, ly_p, lz_p are rounded to whole numbers of dx_p"), std::string::npos);
+  change("obstacle_params.xml", "./wallStlFiles/cube5by5by5at10_10_20.stl", "");
+  change("obstacle_params.xml", "Poiseuille_Flow", "Box_Poiseuille_Flow");
+  EXPECT_EQ(made(import("obstacle_params.xml")).setup.domain.nodes, (std::array<int, 3>{67, 64, 133}));
+  fs::remove(folder_.path() / "obstacle_params.xml");
+  EXPECT_EQ(import("obstacle_params.xml").scene.find("whole number"), std::string::npos);
+}
+
+TEST_F(ImportLineage, WallsOfAFileAreRoundedToo) {
+  change("shear_params.xml", "<numRBC> 476 </numRBC>", "<numRBC> 1 </numRBC>");
+  change("shear_params.xml", "<numPLT> 95 </numPLT>", "<numPLT> 0 </numPLT>");
+  change("shear_params.xml", "<dx_p> 0.5 </dx_p>", "<dx_p> 0.35 </dx_p>");
+  write_start_set({{10, 12, 14}});
+  const LineageImport imported = import("shear_params.xml");
+  EXPECT_EQ(made(imported).setup.domain.nodes[1], 137) << "48 um between the planes";
+  EXPECT_NE(imported.scene.find("The room between the plates is 47.95 um wide"), std::string::npos);
+}
+
+TEST_F(ImportLineage, UnknownKeysAreNoted) {
+  EXPECT_EQ(import("obstacle_params.xml").scene.find("without effect"), std::string::npos);
+  change("obstacle_params.xml", "<dx_p> 0.5 </dx_p>", "<dx_p> 0.5 </dx_p> <dy_p> 1 </dy_p>");
+  EXPECT_NE(import("obstacle_params.xml")
+                .scene.find("# - Unknown to the lineage and to this program, without effect: System_Setup/dy_p."),
+            std::string::npos);
+}
+
+TEST_F(ImportLineage, ANegativeShearRateIsNamed) {
+  change("shear_params.xml", "<shear_rate> 100", "<shear_rate> -100");
+  EXPECT_NE(error_of("shear_params.xml").find("System_Setup/shear_rate: -100"), std::string::npos);
+}
+
 TEST_F(ImportLineage, BadFilesAreNamedWithLineAndKey) {
   struct Bad {
     const char* old;
@@ -208,7 +244,9 @@ TEST_F(ImportLineage, BadFilesAreNamedWithLineAndKey) {
       {"<rho> 1125.0 </rho> <!--> Density of RBC", "<rho> 1000 </rho> <!--> Density of RBC",
        "obstacle_params.xml:94: ShapeOp_RBC/rho: 1000 is less than the density of the fluid, 1025.0: a cell lighter "
        "than the fluid it holds is not allowed"},
-      {"<lz_p> 40 </lz_p>", "<lz_p> 40.3 </lz_p>",
+      {"<u_p> 0.05 </u_p>", "<u_p> -0.05 </u_p>",
+       "obstacle_params.xml:27: System_Setup/u_p: -0.05 must not be negative"},
+      {"<lz_p> 40 </lz_p>", "<lz_p> 1 </lz_p>",
        "obstacle_params.xml: gives a scene that cannot be used: the scene made of it:"},
       {"<max_time> 0.002", "<max_time> -1", "obstacle_params.xml:34: System_Setup/max_time: -1 must be greater than 0"},
   };

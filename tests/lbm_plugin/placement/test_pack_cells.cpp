@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "communicator/serial_communicator.h"
@@ -110,6 +111,30 @@ TEST(PackCells, HandsNoRimsThatCrossToTheSoftCells) {
   const PackedCells packed = pack_cells(domain, types, request);
   expect_packed(domain, types, request, packed);
   EXPECT_LE(packed.soft_steps, 5);
+}
+
+/// Two discs, one micrometre apart, through each other, and one far away, which stays where it is.
+TEST(PackCells, PartsCellsThatStartThroughEachOther) {
+  const std::vector<CellType> types{type_of("rbc", 2)};
+  const Domain domain = domain_of(DomainKind::periodic_box, {40, 40, 40});
+  const Rotation turned = rotation_about_xyz({0.4, -0.9, 1.3});
+  PackRequest request;
+  request.counts = {3};
+  for (const Vec3& centre : {Vec3{5, 5, 5}, Vec3{6, 5, 5.2}, Vec3{15, 15, 15}}) {
+    CellStart& cell = request.start.emplace_back(CellStart{0, centre, turned, {}});
+    for (std::size_t i = 0; i < types[0].shape.size(); i += 3) {
+      const Vec3 x = add(centre, rotate(turned, {types[0].shape[i], types[0].shape[i + 1], types[0].shape[i + 2]}));
+      cell.positions.insert(cell.positions.end(), x.begin(), x.end());
+    }
+  }
+  const PackedCells packed = pack_cells(domain, types, request);
+  expect_packed(domain, types, request, packed);
+  const auto alone =
+      std::find_if(packed.cells.begin(), packed.cells.end(), [](const CellStart& cell) { return cell.centre[0] > 12; });
+  ASSERT_NE(alone, packed.cells.end());
+  for (std::size_t i = 0; i < alone->positions.size(); ++i) {
+    EXPECT_NEAR(alone->positions[i], request.start[2].positions[i], 1e-3);
+  }
 }
 
 TEST(PackCells, SaysHowFarItGotWhereThereIsNoRoom) {

@@ -145,6 +145,26 @@ const BadScene wrong_choices[] = {
      "scene.toml:26:28: cells[1].interior_viscosity_ratio: \"rbc\" has 5; all types for which it is not 1 must have "
      "the "
      "same"},
+    {"StepsBeyondTheTime", "steps = 10", "steps = 50\ntime = \"2 us\"",
+     "scene.toml:23:9: run.steps: 50 are more than the 20 of \"run.time\", 2 us, which ends the run first; give a "
+     "longer time, or no steps"},
+    {"MagicOfAnotherCollision", "dynamic_viscosity", "collision = \"bgk\"\nmagic_parameter = 0.2\ndynamic_viscosity",
+     "scene.toml:11:19: fluid.magic_parameter: is for collision \"trt\" only, this is \"bgk\"; leave it out"},
+    {"SeedBesidePositions", "count = 1",
+     "positions = [{centre = [\"7 um\", \"6 um\", \"5 um\"]}]\n[placement]\nseed = 2",
+     "scene.toml:22:8: placement.seed: no cell is placed at random, since \"positions\" lists them all; leave this "
+     "out"},
+    {"GapBesidePositions", "count = 1",
+     "positions = [{centre = [\"7 um\", \"6 um\", \"5 um\"]}]\n[placement]\ngap = \"1 um\"",
+     "scene.toml:22:7: placement.gap: no cell is placed at random, since \"positions\" lists them all; leave this out"},
+    {"AttractionWithoutRange", "[run]", "[contact]\nrange = \"0 um\"\nattraction = \"1 uN/m\"\n[run]",
+     "scene.toml:24:14: contact.attraction: acts beyond \"range\", which is 0 and switches the whole contact off: give "
+     "a "
+     "range above 0, or leave the attraction out"},
+    {"AttractionOfAPairWithoutRange", "[run]",
+     "[[contact.pairs]]\nfirst = \"rbc\"\nsecond = \"wall\"\nrange = \"0 um\"\nattraction = \"1 uN/m\"\n[run]",
+     "scene.toml:26:14: contact.pairs[0].attraction: acts beyond \"range\", which is 0 and switches the whole contact "
+     "off: give a range above 0, or leave the attraction out"},
     {"NoEnd", "steps = 10", "", "scene.toml:22:1: run: \"steps\" or \"time\" is needed"},
 };
 

@@ -143,6 +143,10 @@ const BadWall openings[] = {
 
 const BadWall waveforms[] = {
     {"SoundWaveform", "", "[flow.waveform]\nperiod = \"1 ms\"\namplitude = 0.5", "no error"},
+    {"PeriodOfAFewSteps", "", "[flow.waveform]\nperiod = \"1.9 us\"\namplitude = 0.5",
+     "scene.toml:14:10: flow.waveform.period: 1.9 us is less than 20 times the 0.1 us for which the driving is held "
+     "(time_step x cell_every): the flow would not follow the wave; take a longer period, a smaller time step or a "
+     "smaller cell_every"},
     {"NoPeriod", "", "[flow.waveform]\namplitude = 0.5",
      "scene.toml:13:1: missing key \"flow.waveform.period\": a time, like \"1 us\" is needed"},
     {"NoShape", "", "[flow.waveform]\nperiod = \"1 ms\"",

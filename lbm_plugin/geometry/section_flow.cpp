@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MPL-2.0
-#include "geometry/opening.h"
+#include "geometry/section_flow.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace npfem::flow {
 namespace {
@@ -35,6 +37,7 @@ class Section {
   }
   const std::vector<std::size_t>& nodes() const { return nodes_; }
   int walls(std::size_t node) const { return walls_[node]; }
+  const std::vector<std::size_t>& neighbours(std::size_t node) const { return neighbours_[node]; }
 
   /// Minus the Laplacian; beyond a wall the velocity is mirrored with its sign changed.
   void apply(const std::vector<double>& w, std::vector<double>& out) const {
@@ -57,10 +60,22 @@ double product(const Section& section, const std::vector<double>& a, const std::
   return sum;
 }
 
+/// Largest of the slopes to neighbours and to walls, which stand half a spacing away.
+double steepest_of(const Section& section, const std::vector<double>& profile) {
+  double steepest = 0;
+  for (const std::size_t node : section.nodes()) {
+    if (section.walls(node) > 0) steepest = std::max(steepest, 2 * profile[node]);
+    for (const std::size_t beside : section.neighbours(node)) {
+      steepest = std::max(steepest, std::abs(profile[node] - profile[beside]));
+    }
+  }
+  return steepest;
+}
+
 }  // namespace
 
-std::vector<double> developed_profile(const std::vector<bool>& fluid, const std::array<int, 2>& counts,
-                                      const std::array<bool, 2>& periodic) {
+SectionFlow section_flow(const std::vector<bool>& fluid, const std::array<int, 2>& counts,
+                         const std::array<bool, 2>& periodic) {
   const Section section(fluid, counts, periodic);
   std::vector<double> w(fluid.size(), 0.0), residual(fluid.size(), 0.0), image(fluid.size(), 0.0);
   bool has_walls = false;
@@ -69,15 +84,16 @@ std::vector<double> developed_profile(const std::vector<bool>& fluid, const std:
     residual[node] = 1.0 - 0.25 * section.walls(node);
     has_walls = has_walls || section.walls(node) > 0;
   }
+  const std::size_t nodes = section.nodes().size();
   if (!has_walls) {
     for (const std::size_t node : section.nodes()) w[node] = 1;
-    return w;
+    return {std::move(w), nodes, std::numeric_limits<double>::infinity(), 0};
   }
   // conjugate gradients
   std::vector<double> direction = residual;
   double square = product(section, residual, residual);
   const double enough = 1e-24 * square;
-  for (std::size_t n = 0; n < 4 * section.nodes().size() && square > enough; ++n) {
+  for (std::size_t n = 0; n < 4 * nodes && square > enough; ++n) {
     section.apply(direction, image);
     const double step = square / product(section, direction, image);
     for (const std::size_t node : section.nodes()) {
@@ -89,9 +105,10 @@ std::vector<double> developed_profile(const std::vector<bool>& fluid, const std:
     square = next;
   }
   double mean = 0;
-  for (const std::size_t node : section.nodes()) mean += w[node] / static_cast<double>(section.nodes().size());
+  for (const std::size_t node : section.nodes()) mean += w[node] / static_cast<double>(nodes);
   for (const std::size_t node : section.nodes()) w[node] /= mean;
-  return w;
+  const double steepest = steepest_of(section, w);
+  return {std::move(w), nodes, mean, steepest};
 }
 
 }  // namespace npfem::flow
