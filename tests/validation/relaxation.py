@@ -8,7 +8,7 @@ rest. Where the material states no viscosity of its membrane, 0.5 uN s/m is take
 was is the first number below.
 
 Reference: t_c of single cells, 0.08 to 0.18 s around a mean of 0.13 s; cells 1 and 2 (0.110 and 0.105 s) are drawn.
-Convergence in time: implicit Euler at 5, 2.5 and 1.25 ms and BDF2; the coarsest within 5 % of the finest. Weakness:
+Convergence in time: implicit Euler at 10 and 5 ms within 5 % of 2.5 ms, and BDF2 at 5 ms. Weakness:
 the measured cells stop at a ratio of 1.11 and 1.23 where a perfect one ends near 1.0; that is not in this model.
 """
 import math
@@ -19,10 +19,14 @@ import npfem
 from npfem.tweezers import contact_vertices
 from npfem.validation import Case
 
-CASE = Case(id="S13", title="Recovery of a stretched red cell", tier="ci", cost_s=6,
+CASE = Case(id="S13", title="Recovery of a stretched red cell", tier="nightly", cost_s=30,
             source="Hochmuth, Worthy & Evans, Biophys. J. 26 (1979) 101, fig. 5 (digitised)")
 
 VISCOSITY = 0.5e6  # pN us/um, 0.5 uN s/m: where the material states none
+# Without fluid nothing but mass resists a turn of the whole cell: light enough to leave inertia aside (its share of the
+# stress is 1e-5), heavy enough that the solver's residual forces do not turn the cell out of the axes it is measured in.
+DENSITY = 1e4  # fg/um2
+RESIDUAL_PN = 1e-8
 # Time (s) and length over width of two cells.
 HOCHMUTH_1 = ((.0005, 2.005), (.012, 1.896), (.032, 1.732), (.047, 1.597), (.065, 1.525), (.081, 1.428), (.099, 1.396),
               (.132, 1.342), (.149, 1.310), (.184, 1.247), (.201, 1.241), (.249, 1.184), (.300, 1.157), (.350, 1.130),
@@ -37,7 +41,7 @@ def red_cell(level):
     with npfem.Material.preset("rbc") as cell:
         if cell["membrane_shear_viscosity"] == 0.0:
             cell["membrane_shear_viscosity"] = VISCOSITY
-        cell["membrane_density"] = 1.0
+        cell["membrane_density"] = DENSITY
         with cell.mesh(level) as mesh, npfem.Model(mesh, cell) as model:
             return npfem.Batch(model), contact_vertices(mesh.positions), cell["membrane_shear_viscosity"]
 
@@ -72,7 +76,7 @@ def stretched(level):
 def recover(step_us, integrator, level=3):
     """(times in s, ratios, t_c in s, viscosity): the cell let go."""
     batch, at_rest, viscosity = stretched(level)
-    batch.update(time_step=step_us, integrator=integrator, tolerance=1e-5)
+    batch.update(time_step=step_us, integrator=integrator, tolerance=RESIDUAL_PN)
     times, ratios = [0.0], [ratio(batch)]
     while times[-1] < 0.6 - 1e-9:
         if batch.step():
@@ -105,14 +109,16 @@ def run(report):
         report.curve(plot, name + ", Hochmuth et al. 1979", *zip(*points), points=True)
     with npfem.Material.preset("rbc") as shipped:
         report.measured("membrane viscosity of the shipped rbc", shipped["membrane_shear_viscosity"] / 1e6, unit="uN s/m")
-    found = {step: recover(step, 0) for step in (5000.0, 2500.0, 1250.0)}
-    times, ratios, fine, viscosity = found[1250.0]
+    found = {step: recover(step, 0) for step in (10e3, 5e3, 2.5e3)}
+    times, ratios, fine, viscosity = found[2.5e3]
     report.measured("membrane viscosity used", viscosity / 1e6, unit="uN s/m")
-    report.within("t_c, step 1.25 ms", fine, 0.08, 0.18, unit="s")
-    for step in (5000.0, 2500.0):
-        report.compare("t_c at a step of %g ms against 1.25 ms" % (step / 1e3), found[step][2], fine, relative=0.05,
+    report.within("t_c, step 2.5 ms", fine, 0.08, 0.18, unit="s")
+    for step in (10e3, 5e3):
+        report.compare("t_c at a step of %g ms against 2.5 ms" % (step / 1e3), found[step][2], fine, relative=0.05,
                        unit="s")
-    report.compare("t_c of BDF2 at a step of 2.5 ms against implicit Euler at 1.25 ms", recover(2500.0, 1)[2], fine,
+    report.compare("t_c of BDF2 at a step of 5 ms against implicit Euler at 2.5 ms", recover(5e3, 1)[2], fine,
                    relative=0.05, unit="s")
+    decay = numpy.interp([t for t, _ in HOCHMUTH_1], times, ratios) - [r for _, r in HOCHMUTH_1]
+    report.measured("rms departure of L/W from cell 1", math.sqrt((decay**2).mean()))
     report.measured("ratio after 0.6 s", ratios[-1])
     report.curve(plot, "rbc, %g uN s/m" % (viscosity / 1e6), times, ratios)
