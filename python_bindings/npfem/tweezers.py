@@ -66,10 +66,17 @@ def _check(forces_pN, load, contact_diameter_um):
             raise ValueError("forces must be finite and not negative, found %g pN" % force)
 
 
-def _load(batch, left, right, force_pN):
+def add_beads(batch, sides):
+    """Ties the vertices of each contact of contact_vertices() to a rigid bead."""
+    for vertices in sides:
+        if len(vertices) > 1:
+            batch.add_patch(vertices, _BEAD_STIFFNESS_PN_PER_UM)
+
+
+def pull_beads(batch, sides, force_pN):
     """Loads the cell with the force on each side, spread evenly over the vertices of the contact."""
     loads = [0.0] * (3 * batch.vertex_count)
-    for vertices, sign in ((left, -1.0), (right, 1.0)):
+    for vertices, sign in zip(sides, (-1.0, 1.0)):
         for vertex in vertices:
             loads[3 * vertex] = sign * force_pN / len(vertices)
     batch.external_force = loads
@@ -104,13 +111,12 @@ def pull(material, forces_pN, level=-1, load="rigid", contact_diameter_um=CONTAC
     _check(forces, load, contact_diameter_um)
     chosen = material if isinstance(material, Material) else Material.named(material)
     with chosen.mesh(level) as mesh, Model(mesh, chosen) as model, Batch(model) as batch:
-        left, right = contact_vertices(mesh.positions, contact_diameter_um)
+        sides = contact_vertices(mesh.positions, contact_diameter_um)
         batch.relax()
-        for vertices in (left, right):
-            if load == "rigid" and len(vertices) > 1:
-                batch.add_patch(vertices, _BEAD_STIFFNESS_PN_PER_UM)
+        if load == "rigid":
+            add_beads(batch, sides)
         for force in force_path(forces):
-            _load(batch, left, right, force)
+            pull_beads(batch, sides, force)
             failed = batch.relax()
             if force in forces or failed:
                 yield _row(batch, model, force)
