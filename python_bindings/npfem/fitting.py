@@ -116,9 +116,14 @@ def _rms(values, weight):
 
 def _interval(key, coordinate, half_width):
     def value(at):
-        return literature.from_coordinate(key, min(max(at, -700.0), 700.0))
+        return literature.from_coordinate(key, min(max(at, -30.0), 30.0))
 
     return sorted((value(coordinate - half_width), value(coordinate + half_width)))
+
+
+def _width(key, low, high):
+    """Of an interval, in the coordinate that is fitted: the logarithm of a factor."""
+    return abs(literature.to_coordinate(key, high) - literature.to_coordinate(key, low))
 
 
 def _verdict(key, row, law):
@@ -127,7 +132,7 @@ def _verdict(key, row, law):
     reasons = []
     if row["at_bound"]:
         reasons.append("it stands at the end of the search, %g %s" % (row["value"], row["unit"]))
-    elif band and row["high"] - row["low"] > band[1] - band[0]:
+    elif band and _width(key, row["low"], row["high"]) > _width(key, *band):
         reasons.append("its interval is wider than the literature's band")
     elif not band and row["high"] > _WIDE_FACTOR * row["low"]:
         reasons.append("the ends of its interval differ by more than a factor of %g" % _WIDE_FACTOR)
@@ -172,7 +177,7 @@ def fit(material, free, measured, setup, say=lambda iteration, values, sum_of_sq
 
     Returns a dict: parameters (one dict each: key, unit, value, low, high of the 95 % interval, band, inside_band,
     identified, why_not, at_bound, correlations), sensitivities, rms_axial, rms_transverse, recovery_s, points,
-    iterations, converged, rows (of stretch() at the best values) and material (a `Material` with them).
+    contact_vertices and contact_area_um2 (of one side), mesh_vertices, iterations, converged, rows (of stretch() at the best values) and material (a `Material` with them).
     """
     check_free(material, free, measured)
     experiment = Experiment(material, free, measured, setup)
@@ -190,6 +195,10 @@ def fit(material, free, measured, setup, say=lambda iteration, values, sum_of_sq
     x, residuals, slopes, iterations, converged = minimise(
         experiment.residuals, start, ends(min), ends(max),
         lambda iteration, at, left: say(iteration, experiment.values(at), float(left @ left)))
+    setup = experiment.setup
+    with experiment.material.mesh(setup.level) as mesh:
+        held = tweezers.contact_vertices(mesh.positions, setup.contact_diameter_um)[0]
+        area, vertices = tweezers.held_area(mesh.positions, mesh.triangles, held), mesh.vertex_count
     stretching = residuals[:2 * len(measured.points)]
     rows = experiment.rows(x)
     experiment.apply(x)
@@ -200,6 +209,9 @@ def fit(material, free, measured, setup, say=lambda iteration, values, sum_of_sq
         "rms_transverse": _rms(stretching[1::2], TRANSVERSE_WEIGHT),
         "recovery_s": experiment.recovery_time(x) if measured.recoveries else None,
         "points": len(measured.points),
+        "contact_vertices": len(held),
+        "contact_area_um2": area,
+        "mesh_vertices": vertices,
         "iterations": iterations,
         "converged": converged,
         "rows": rows,

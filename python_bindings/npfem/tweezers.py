@@ -44,6 +44,21 @@ def contact_vertices(positions, contact_diameter_um=CONTACT_DIAMETER_UM):
     return left, right
 
 
+def held_area(positions, triangles, vertices):
+    """Area (um2) of the triangles whose three corners all belong to a contact: what a rigid bead keeps from straining.
+
+    On meshes of different fineness a contact holds the same membrane where this area is the same, not where the disc
+    is: the triangles cut by its edge can still strain.
+    """
+    points = [[float(number) for number in point] for point in positions]
+    inside, area = set(vertices), 0.0
+    for a, b, c in (tuple(int(corner) for corner in triangle) for triangle in triangles):
+        if a in inside and b in inside and c in inside:
+            p, q = ([points[end][axis] - points[a][axis] for axis in range(3)] for end in (b, c))
+            area += 0.5 * math.hypot(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0])
+    return area
+
+
 def force_path(forces_pN):
     """Rising forces from 0 through every force asked for, no step larger than 25 pN."""
     path = [0.0]
