@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MPL-2.0
 """Nonlinear least squares with bounds (Levenberg, Marquardt), and what its result is worth. Needs numpy."""
 import math
+import statistics
 
 import numpy
 
@@ -61,19 +62,19 @@ def minimise(residuals, x, low, high, say=lambda iteration, x, residuals: None):
 
 
 def covariance(residuals, slopes):
-    """Of the coordinates, from the slopes and the variance of the residuals; infinite where the data say nothing."""
+    """Of the coordinates, from the slopes and the variance of the residuals; infinite where the data say nothing.
+
+    As many numbers as unknowns leave no residuals: their variance is then taken to be 1, that of the weights.
+    """
     count, unknowns = slopes.shape
     freedom = count - unknowns
-    if freedom < 1:
-        raise ValueError("%d numbers measured and %d parameters free: more data or fewer parameters are needed"
-                         % (count, unknowns))
     left, sizes, right = numpy.linalg.svd(slopes, full_matrices=False)
     with numpy.errstate(divide="ignore", invalid="ignore"):
         inverse = numpy.where(sizes > 1e-9 * max(sizes.max(), 1e-300), 1.0 / sizes**2, numpy.inf)
         parts = numpy.where(right == 0.0, 0.0, inverse[:, None] * right**2)
     found = (right.T * numpy.where(numpy.isfinite(inverse), inverse, 0.0)) @ right
     found[numpy.diag_indices(unknowns)] = parts.sum(axis=0)
-    return found * (residuals @ residuals) / freedom
+    return found * ((residuals @ residuals) / freedom if freedom else 1.0)
 
 
 def correlation(covariances):
@@ -90,6 +91,8 @@ def correlation(covariances):
 
 def student_t(freedom, probability=0.95):
     """The t within which Student's distribution holds this probability: its density summed (Simpson), then bisection."""
+    if freedom == 0:  # the variance is then not estimated, and the distribution normal
+        return statistics.NormalDist().inv_cdf(0.5 + 0.5 * probability)
     scale = math.exp(math.lgamma(0.5 * (freedom + 1)) - math.lgamma(0.5 * freedom)) / math.sqrt(freedom * math.pi)
 
     def inside(t):

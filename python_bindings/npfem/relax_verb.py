@@ -17,7 +17,8 @@ def add_to(verbs):
         "relax", help="let a stretched cell go and time its recovery",
         description="Pulls one cell along x to a ratio of length to width, lets it go without fluid, and fits the law "
                     "of Hochmuth et al. 1979 to its recovery.")
-    verb.add_argument("--material", default="rbc", help="a preset or a material file (.toml); default: rbc")
+    verb.add_argument("--material", default="rbc-viscous",
+                      help="a preset or a material file (.toml); default: rbc-viscous")
     verb.add_argument("--viscosity", type=float, metavar="UN_S_PER_M",
                       help="shear viscosity of the membrane, uN s/m (default: the material's own)")
     verb.add_argument("--ratio", type=float, default=recovery.STRETCHED_RATIO,
