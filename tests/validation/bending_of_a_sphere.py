@@ -6,10 +6,10 @@ Proves the bending operators. Helfrich's energy (kappa/2) int (2H)^2 dA of any s
 operator tend to the continuum and are held to 1 % at 642 vertices; so is the cotangent one's order. The hinge
 ("dihedral") realises a share of the modulus that depends on the mesh and not on its fineness: shown, not judged.
 
-A sphere bears no bending force. The energy has the same value at every size, so the power of the force in a swelling is
-zero to round-off. The force on single vertices is not: around vertices with five neighbours, and where triangles vary in
-shape, the energy of the mesh pulls vertices about; its size is shown, in kappa/R^3 per area, and along the normal.
-Published operators differ strongly here.
+A sphere bears no bending force. The energy has the same value at every size, so the power of the force in a swelling
+is zero to round-off. The force on single vertices is not: around vertices with five neighbours, and where triangles
+vary in shape, the energy of the mesh pulls vertices about; its size is shown, in kappa/R^3 per area, and along the
+normal. Published operators differ strongly here.
 """
 import numpy
 

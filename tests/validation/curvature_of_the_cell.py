@@ -2,21 +2,20 @@
 """Curvature of the Evans-Fung cell, point by point, and the bending force that follows from it.
 
 Proves how good the mean curvature, its surface Laplacian and the bending force are at single vertices, where energies
-say little. Nothing is computed here that the library does not: the slope of the area by a vertex, whose length is
-2 H times the vertex's area, is the force of the global area term; the normal is the force of the volume term; the
-bending force is that of the cotangent law, kappa = 1, flat rest angles. The Laplacian is what that force holds of it,
-f/(2 kappa) = Laplacian of H + 2H (H^2 - K), with the exact H and K.
+say little. Nothing is computed here that the library does not: the slope of the area by a vertex, whose length is 2 H
+times the vertex's area, is the force of the global area term; the normal is the force of the volume term; the bending
+force is that of the cotangent law, kappa = 1, flat rest angles. The Laplacian is what that force holds of it, f/(2
+kappa) = Laplacian of H + 2H (H^2 - K), with the exact H and K.
 
 Reference: exact derivatives of the closed form (a trigonometric polynomial in the angle of the profile, so that
-differences by Fourier transform are exact), which published values at two angles confirm first. Errors are area-weighted
-L2 norms over that of the exact field. Tolerance: what a paraboloid fitted to two rings of neighbours reaches on 2562
-vertices (Huet et al. 2023): 0.5 % of H, 9.7 % of its Laplacian, 10.1 % of the force. Gaussian curvature enters no
-energy of the library, so it is not judged here.
+differences by Fourier transform are exact), which published values at two angles confirm first. Errors are area-
+weighted L2 norms over that of the exact field. Tolerance: what a paraboloid fitted to two rings of neighbours reaches
+on 2562 vertices (Huet et al. 2023): 0.5 % of H, 9.7 % of its Laplacian, 10.1 % of the force. Gaussian curvature enters
+no energy of the library, so it is not judged here.
 
 Point by point the force of any energy on a mesh is rough where vertices have other than six neighbours and where
 triangles vary; what moves the cell is its sum against smooth motions. So the work against ten smooth motions along the
-normal (polynomials of the position) is held against the exact integral as well, and must
-converge in second order.
+normal (polynomials of the position) is held against the exact integral as well, and must converge in second order.
 """
 import numpy
 
@@ -28,17 +27,17 @@ CASE = Case(id="S9", title="Curvature and bending force of the red cell", tier="
 
 RADIUS_UM = 1.0  # as in the published curves
 
-ROUGH = ("the force is the exact slope of an energy on triangles: at the twelve vertices with five neighbours it does not "
-         "converge as a field (they and their neighbours hold 90 % of the squared error), elsewhere 20 % remain; its work "
-         "against smooth motions is right to 0.3 % and of second order")
+ROUGH = ("the force is the exact slope of an energy on triangles: at the twelve vertices with five neighbours it does "
+         "not converge as a field (they and their neighbours hold 90 % of the squared error), elsewhere 20 % remain; "
+         "its work against smooth motions is right to 0.3 % and of second order")
 JUDGED = (("mean curvature", "mean", 0.5,
-           "slope of the area over a third of the triangles: at vertices with five neighbours that share of the area is "
-           "not the one that belongs to the slope (they hold 57 % of the squared error); elsewhere 0.6 % remain"),
+           "slope of the area over a third of the triangles: at vertices with five neighbours that share of the area "
+           "is not the one that belongs to the slope (they hold 57 % of the squared error); elsewhere 0.6 % remain"),
           ("Laplacian of H", "laplacian", 9.7, ROUGH), ("bending force", "force", 10.1, ROUGH))
 
 
 class Profile:
-    """The profile r = R sin(s), z = (R/2) cos(s) (c0 + c1 sin^2 s + c2 sin^4 s) and fields on it, at s off the poles."""
+    """The profile r = R sin(s), z = (R/2) cos(s) (c0 + c1 sin^2 s + c2 sin^4 s); fields on it, at s off the poles."""
 
     COUNT = 1024
 
@@ -134,7 +133,8 @@ def work_error(cell, profile):
 
 def check_exact(report, profile):
     """The published values at the pole."""
-    for name, values, pole in (("mean curvature", profile.mean, -1.899), ("Gaussian curvature", profile.gaussian, 3.606),
+    for name, values, pole in (("mean curvature", profile.mean, -1.899),
+                               ("Gaussian curvature", profile.gaussian, 3.606),
                                ("Laplacian of H", profile.laplacian, 61.79), ("bending force", profile.force, 123.59)):
         report.compare("exact curves: %s at the pole, as published" % name, abs(profile.at(values, 1e-6)), abs(pole),
                        relative=1e-3)
@@ -157,7 +157,11 @@ def run(report):
             report.measured("the same, away from vertices with five neighbours", regular, unit="%")
     works = [work_error(cell, profile) for cell in cells.values()]
     for count, work in zip(cells, works):
-        report.measured("error of the work against smooth motions, %d vertices" % count, 100 * work, unit="%")
+        name = "error of the work against smooth motions, %d vertices" % count
+        if count == 2562:
+            report.below(name, 100 * work, 1, unit="%")
+        else:
+            report.measured(name, 100 * work, unit="%")
     report.compare("order of that error", order([4, 2, 1], works), 2, absolute=0.2)
     draw(report, profile, cells[2562])
 

@@ -2,14 +2,14 @@
 """The Evans-Fung red cell: its size, its thickness, its bending energy.
 
 Proves the shape generator and the bending operators on a shape with both signs of curvature. The meshes of the library
-(258, 1026, 4098 vertices) and, to meet published figures at 2562, an icosphere carried onto the same shape. Vertices lie
-on the surface, so flat triangles lack area and volume in the order h^2: 2 % is allowed at 258 vertices, 0.3 % at 2562.
-The lineage's mesh of 258 vertices is the same one: A = 131.87 um2, V = 91.80 um3.
+(258, 1026, 4098 vertices) and, to meet published figures at 2562, an icosphere carried onto the same shape. Vertices
+lie on the surface, so flat triangles lack area and volume in the order h^2: 2 % is allowed at 258 vertices, 0.3 % at
+2562. The lineage's mesh of 258 vertices is the same one: A = 131.87 um2, V = 91.80 um3.
 
-Reference: A = 134.09 um2, V = 94.09 um3, reduced volume 0.6444, thickness 2.5657 um at most and 0.810 um in the middle,
-bending energy 1.9287 x 8 pi kappa, integrals of the closed form with R0 = 3.91 um. The energy of the cotangent operator
-is held to 1 % at 4098 vertices; at 258, 4 % are missing, and a cell on that mesh bends by so much more easily.
-Weakness: one shape.
+Reference: A = 134.09 um2, V = 94.09 um3, reduced volume 0.6444, thickness 2.5657 um at most and 0.810 um in the
+middle, bending energy 1.9287 x 8 pi kappa, integrals of the closed form with R0 = 3.91 um. The energy of the cotangent
+operator is held to 1 % at 4098 vertices; at 258, 4 % are missing, and a cell on that mesh bends by so much more
+easily. Weakness: one shape.
 """
 import numpy
 

@@ -3,15 +3,15 @@
 
 Proves bending, area and volume together: a membrane that only bends, at given area and volume, has one rotationally
 symmetric oblate shape of least energy. A cell of 4098 vertices with the cotangent operator starts from the Evans-Fung
-shape, made thicker or thinner until its reduced volume is 0.600, 0.642, 0.651 or 0.700, and relaxes. Vertices of a fluid
-membrane would slide for nothing and crowd until the mesh measures no curvature, so a trace of shear and area stiffness
-stays (0.1 and 20 uN/m); the energy it holds at the end is shown and below a percent of the bending energy.
+shape, made thicker or thinner until its reduced volume is 0.600, 0.642, 0.651 or 0.700, and relaxes. Vertices of a
+fluid membrane would slide for nothing and crowd until the mesh measures no curvature, so a trace of shear and area
+stiffness stays (0.1 and 20 uN/m); the energy it holds at the end is shown and below a percent of the bending energy.
 
 Reference: the shape equations solved by shooting, no spontaneous curvature, accuracy 1e-3; R_A = sqrt(A/4 pi). At the
 volume of the Evans-Fung cell itself (0.6447) bending alone gives 1.840, below the 1.929 of the measured shape: bending
-alone does not make a red cell. Tolerance: 2 % of the energy, 3 % of the lengths. A cell of 258 and one of
-1026 vertices at v = 0.600 show the way there: the thickness in the middle, the most sensitive number, converges in
-second order. Weakness: one branch; the trace of shear rests in the start shape and costs most at v = 0.700.
+alone does not make a red cell. Tolerance: 2 % of the energy, 3 % of the lengths. A cell of 258 and one of 1026
+vertices at v = 0.600 show the way there: the thickness in the middle, the most sensitive number, converges in second
+order. Weakness: one branch; the trace of shear rests in the start shape and costs most at v = 0.700.
 """
 import math
 

@@ -7,8 +7,8 @@ Hochmuth et al. is fitted, L/W = r (K + exp(-t/t_c))/(K - exp(-t/t_c)), K = (L0/
 the cell at rest.
 
 Reference: t_c of single cells, 0.08 to 0.18 s around a mean of 0.13 s; cells 1 and 2 (0.110 and 0.105 s) are drawn.
-Convergence in time: implicit Euler at 10 and 5 ms within 5 % of 2.5 ms, and BDF2 at 5 ms. Weakness:
-the measured cells stop at a ratio of 1.11 and 1.23 where a perfect one ends near 1.0; that is not in this model.
+Convergence in time: implicit Euler at 10 and 5 ms within 5 % of 2.5 ms, and BDF2 at 5 ms. Weakness: the measured cells
+stop at a ratio of 1.11 and 1.23 where a perfect one ends near 1.0; that is not in this model.
 """
 import numpy
 

@@ -2,15 +2,15 @@
 """Rigid motion and free flight: nothing but deformation may store energy, and momentum may go nowhere.
 
 Proves that every law is blind to rotation and translation, that the forces of a deformed cell turn with it, and that a
-cell left alone keeps its momentum. A red cell of 258 vertices, each law alone, turned at random and carried up to 8 um away;
-energies and forces are held against those of the same cell stretched by 30 %, for zero must be measured against
+cell left alone keeps its momentum. A red cell of 258 vertices, each law alone, turned at random and carried up to 8 um
+away; energies and forces are held against those of the same cell stretched by 30 %, for zero must be measured against
 something. The round-off of the positions is then worth 10^-13 to 10^-12 of it, most for bending.
 
 Flight: a stretched cell with mass of its own, spinning and drifting, 200 steps of 0.5 us. Linear momentum stays to
 round-off by construction. Implicit Euler does not keep angular momentum, L_{n+1} - L_n = d sum(m v_{n+1} x v_n): what
-it loses must be of first order in the step (validation by the order, not by a bound), and of BDF2 of second order.
-The lineage's damping (Calpha) removes velocity that is not that of a rigid body; it must take no momentum of either
-kind: steps of its method with and without are compared. Weakness: the lineage laws without an energy are left out.
+it loses must be of first order in the step (validation by the order, not by a bound), and of BDF2 of second order. The
+lineage's damping (Calpha) removes velocity that is not that of a rigid body; it must take no momentum of either kind:
+steps of its method with and without are compared. Weakness: the lineage laws without an energy are left out.
 """
 import numpy
 

@@ -2,9 +2,10 @@
 """A red cell under 200 pN: every way of solving must end in the same shape.
 
 Proves that an equilibrium is a property of the cell and not of the solver. The cell `rbc` of 258 vertices is pulled by
-two rigid contacts 2 um across, by Newton's method alone, by quasi-Newton steps alone (histories of two lengths), on both back ends, in one jump or in eight forces, and in time: steps of 1 s of a membrane with mass,
-which implicit Euler brings to rest. Reference: the diameters by Newton's method to 10^-8 pN. Tolerance: 10^-6 of the
-diameter for all that stop at 10^-6 pN; at the default tolerance of 10^-4 pN too.
+two rigid contacts 2 um across, by Newton's method alone, by quasi-Newton steps alone (histories of two lengths), on
+both back ends, in one jump or in eight forces, and in time: steps of 1 s of a membrane with mass, which implicit Euler
+brings to rest. Reference: the diameters by Newton's method to 10^-8 pN. Tolerance: 10^-6 of the diameter for all that
+stop at 10^-6 pN; at the default tolerance of 10^-4 pN too.
 
 Weakness: one load, on a branch without a second stable shape. The lineage's own stop, on the scatter of the objective
 after at most 30 iterations, is no equilibrium and is not compared here.
@@ -15,7 +16,7 @@ import npfem
 from npfem.tweezers import contact_vertices
 from npfem.validation import Case
 
-CASE = Case(id="S5", title="The same equilibrium by every solver", tier="ci", cost_s=4,
+CASE = Case(id="S5", title="The same equilibrium by every solver", tier="ci", cost_s=3,
             source="Newton's method with exact second derivatives")
 
 FORCE_PN = 200.0

@@ -5,11 +5,12 @@ Proves that a triangle evaluates its law and the force that follows from it exac
 library takes closed surfaces only, so the patch is a flat bag: two square sheets, 10 um wide, triangulated at random,
 sewn together along the rim. It is flat to one part in 10^9: nothing of that is left in the strain.
 
-Prescribed: the bag is stretched by l1 along x and by the l2 across at which the law has no lateral tension. The tension
-over a cut is the force on the rim; linear triangles reproduce a constant strain, so it must be exact to round-off, and
-no force may be left on the vertices inside and on the lateral rims. Solved: the bag is pulled at two rims by the force
-of that tension; the solver must find l1 and l2 by itself. Reference: the closed forms, T2 = 0 (Barthes-Biesel, Diaz &
-Dhenin, J. Fluid Mech. 460 (2002) 211), which the digits of the published table confirm first. Weakness: uniform strain only.
+Prescribed: the bag is stretched by l1 along x and by the l2 across at which the law has no lateral tension. The
+tension over a cut is the force on the rim; linear triangles reproduce a constant strain, so it must be exact to round-
+off, and no force may be left on the vertices inside and on the lateral rims. Solved: the bag is pulled at two rims by
+the force of that tension; the solver must find l1 and l2 by itself. Reference: the closed forms, T2 = 0 (Barthes-
+Biesel, Diaz & Dhenin, J. Fluid Mech. 460 (2002) 211), which the digits of the published table confirm first. Weakness:
+uniform strain only.
 """
 import numpy
 
@@ -101,7 +102,8 @@ def prescribed(report, name, parameters, c):
         worst = max(worst, abs(ours / tension(c, l1) - 1))
         left_over = max(left_over, abs(force[~(right | left), :2]).max() / (SHEAR_MODULUS * WIDTH_UM))
     report.below("%s, prescribed: relative error of the tension" % name, worst, 1e-12)
-    report.below("%s, prescribed: force in the plane left inside and on the free edges, over G_s x width" % name, left_over, 1e-12)
+    report.below("%s, prescribed: force in the plane left inside and on the free edges, over G_s x width" % name,
+                 left_over, 1e-12)
 
 
 def solved(report, name, parameters, c):
