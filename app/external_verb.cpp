@@ -63,6 +63,8 @@ void show_python_the_way() {
 const std::vector<PythonVerb>& python_verbs() {
   static const std::vector<PythonVerb> verbs{
       {"stretch", "stretch one cell with optical tweezers and plot the curve (Python)"},
+      {"relax", "let a stretched cell go and time its recovery (Python)"},
+      {"fit", "fit a material to measured cells, with intervals of confidence (Python)"},
       {"preview", "draw a picture of a run (Python)"},
       {"report", "run the validation cases and write their page (Python)"},
   };

@@ -17,7 +17,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
 endif()
 
 set(preset_files "")
-foreach(name rbc platelet palabos-rbc palabos-platelet)
+foreach(name rbc rbc-viscous platelet palabos-rbc palabos-platelet)
   list(APPEND preset_files "${CMAKE_CURRENT_LIST_DIR}/../../materials/${name}.toml")
 endforeach()
 set(NPFEM_PRESETS_CPP "${CMAKE_CURRENT_BINARY_DIR}/presets.cpp")

@@ -72,7 +72,8 @@ class Material {
   /// Reads back as an equal material, bit for bit.
   std::string to_toml() const;
 
-  /// A material of materials/, embedded in the library: "rbc", "platelet", "palabos-rbc", "palabos-platelet".
+  /// A material of materials/, embedded in the library: "rbc", "rbc-viscous", "platelet", "palabos-rbc",
+  /// "palabos-platelet".
   static Material preset(std::string_view name);
   static std::vector<std::string> preset_names();
   /// The text of materials/<name>.toml.

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MPL-2.0
-"""The verbs of the program that live in Python: `npfem stretch`, `npfem preview`, `npfem report`; also `python -m npfem ...`.
+"""The verbs of the program that live in Python: `npfem stretch`, `relax`, `fit`, `preview`, `report`; also `python -m npfem ...`.
 
-Exit codes: 0 done, 1 failed, 2 bad input.
+Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted.
 """
 import argparse
 import sys
 
-from . import preview_verb, report_verb, stretch_verb
+from . import fit_verb, preview_verb, relax_verb, report_verb, stretch_verb
 from ._library import Error
 
-OK, FAILED, BAD_INPUT = 0, 1, 2
+OK, FAILED, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 
 # Of npfem.h: statuses that bad input leads to.
 _BAD_INPUT_STATUSES = ("NPFEM_ERROR_ARGUMENT", "NPFEM_ERROR_INPUT", "NPFEM_ERROR_NAME", "NPFEM_ERROR_IO")
@@ -19,7 +19,7 @@ def parser():
     """The command line: one sub-command per verb."""
     top = argparse.ArgumentParser(prog="npfem", description="Deformable blood cells: tools written in Python.")
     verbs = top.add_subparsers(dest="verb", metavar="verb", required=True)
-    for verb in (stretch_verb, preview_verb, report_verb):
+    for verb in (stretch_verb, relax_verb, fit_verb, preview_verb, report_verb):
         verb.add_to(verbs)
     return top
 
@@ -35,9 +35,13 @@ def main(arguments=None):
     except (OSError, ValueError) as error:
         print("npfem %s: %s" % (chosen.verb, error), file=sys.stderr)
         return BAD_INPUT
-    except ImportError as error:
+    except (ImportError, ArithmeticError) as error:
         print("npfem %s: %s" % (chosen.verb, error), file=sys.stderr)
         return FAILED
+    except KeyboardInterrupt:
+        # Files are written aside and renamed, so none is left half-written.
+        print("npfem %s: interrupted" % chosen.verb, file=sys.stderr)
+        return INTERRUPTED
 
 
 if __name__ == "__main__":

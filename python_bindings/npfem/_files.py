@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MPL-2.0
 """Writing files so that none is ever half-written."""
+import json
 import os
 
 
@@ -14,6 +15,13 @@ def require_writable(path):
         raise OSError("cannot write %s: no permission" % path)
 
 
+def require_png(path):
+    """The same for a picture, which must be named .png."""
+    if not path.endswith(".png"):
+        raise ValueError("--plot %s: a name that ends in .png is needed" % path)
+    require_writable(path)
+
+
 def write_aside(path, write):
     """Calls write(other path with the same ending), then gives that file its name."""
     root, ending = os.path.splitext(path)
@@ -24,3 +32,14 @@ def write_aside(path, write):
     finally:
         if os.path.exists(aside):
             os.remove(aside)
+
+
+def write_json(path, document):
+    """Writes numbers for other programs, and says so."""
+    def write(aside):
+        with open(aside, "w", encoding="utf-8") as stream:
+            json.dump(document, stream, indent=2)
+            stream.write("\n")
+
+    write_aside(path, write)
+    print("wrote %s" % path)

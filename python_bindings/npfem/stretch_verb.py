@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: MPL-2.0
 """`npfem stretch`: the optical-tweezers experiment, as a table, JSON and a picture over the measured points."""
-import json
 import math
 import sys
 
-from ._files import require_writable, write_aside
+from ._files import require_png, require_writable, write_aside, write_json
 from .tweezers import CONTACT_DIAMETER_UM, LOADS, pull
-from .tweezers_data import loaded_forces, rms_errors
+from .tweezers_data import MILLS_2004, loaded_forces, rms_errors
 
 _MOST_FORCES = 10000
 _COLUMNS = ("force_pN", "axial_um", "transverse_um", "volume_error", "area_error", "residual_pN", "iterations",
@@ -94,16 +93,6 @@ def _document(options, asked, rows, errors):
     return document
 
 
-def _write_json(path, document):
-    def write(aside):
-        with open(aside, "w", encoding="utf-8") as stream:
-            json.dump(document, stream, indent=2)
-            stream.write("\n")
-
-    write_aside(path, write)
-    print("wrote %s" % path)
-
-
 def _draw(options, rows):
     try:
         import matplotlib  # noqa: F401
@@ -113,7 +102,7 @@ def _draw(options, rows):
     from .curve_plot import plot_stretch
 
     title = "%s, %s load, contact %g µm" % (options.material, options.load, options.contact)
-    write_aside(options.plot, lambda aside: plot_stretch(rows, aside, title, not options.no_measured))
+    write_aside(options.plot, lambda aside: plot_stretch(rows, aside, title, () if options.no_measured else MILLS_2004))
     print("wrote %s" % options.plot)
 
 
@@ -123,16 +112,14 @@ def run(options):
     if options.json:
         require_writable(options.json)
     if not options.no_plot:
-        if not options.plot.endswith(".png"):
-            raise ValueError("--plot %s: a name that ends in .png is needed" % options.plot)
-        require_writable(options.plot)
+        require_png(options.plot)
     rows = _compute(options, asked)
     errors = None if options.no_measured else rms_errors(rows)
     if errors:
         print("rms departure from Mills et al. 2004 over %d points: axial %.1f %%, transverse %.1f %%"
               % (errors[2], 100 * errors[0], 100 * errors[1]))
     if options.json:
-        _write_json(options.json, _document(options, asked, rows, errors))
+        write_json(options.json, _document(options, asked, rows, errors))
     if not options.no_plot:
         _draw(options, rows)
     if not rows[-1]["usable"]:

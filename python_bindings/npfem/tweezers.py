@@ -44,6 +44,21 @@ def contact_vertices(positions, contact_diameter_um=CONTACT_DIAMETER_UM):
     return left, right
 
 
+def held_area(positions, triangles, vertices):
+    """Area (um2) of the triangles whose three corners all belong to a contact: what a rigid bead keeps from straining.
+
+    On meshes of different fineness a contact holds the same membrane where this area is the same, not where the disc
+    is: the triangles cut by its edge can still strain.
+    """
+    points = [[float(number) for number in point] for point in positions]
+    inside, area = set(vertices), 0.0
+    for a, b, c in (tuple(int(corner) for corner in triangle) for triangle in triangles):
+        if a in inside and b in inside and c in inside:
+            p, q = ([points[end][axis] - points[a][axis] for axis in range(3)] for end in (b, c))
+            area += 0.5 * math.hypot(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0])
+    return area
+
+
 def force_path(forces_pN):
     """Rising forces from 0 through every force asked for, no step larger than 25 pN."""
     path = [0.0]
@@ -66,10 +81,17 @@ def _check(forces_pN, load, contact_diameter_um):
             raise ValueError("forces must be finite and not negative, found %g pN" % force)
 
 
-def _load(batch, left, right, force_pN):
+def add_beads(batch, sides):
+    """Ties the vertices of each contact of contact_vertices() to a rigid bead."""
+    for vertices in sides:
+        if len(vertices) > 1:
+            batch.add_patch(vertices, _BEAD_STIFFNESS_PN_PER_UM)
+
+
+def pull_beads(batch, sides, force_pN):
     """Loads the cell with the force on each side, spread evenly over the vertices of the contact."""
     loads = [0.0] * (3 * batch.vertex_count)
-    for vertices, sign in ((left, -1.0), (right, 1.0)):
+    for vertices, sign in zip(sides, (-1.0, 1.0)):
         for vertex in vertices:
             loads[3 * vertex] = sign * force_pN / len(vertices)
     batch.external_force = loads
@@ -104,13 +126,12 @@ def pull(material, forces_pN, level=-1, load="rigid", contact_diameter_um=CONTAC
     _check(forces, load, contact_diameter_um)
     chosen = material if isinstance(material, Material) else Material.named(material)
     with chosen.mesh(level) as mesh, Model(mesh, chosen) as model, Batch(model) as batch:
-        left, right = contact_vertices(mesh.positions, contact_diameter_um)
+        sides = contact_vertices(mesh.positions, contact_diameter_um)
         batch.relax()
-        for vertices in (left, right):
-            if load == "rigid" and len(vertices) > 1:
-                batch.add_patch(vertices, _BEAD_STIFFNESS_PN_PER_UM)
+        if load == "rigid":
+            add_beads(batch, sides)
         for force in force_path(forces):
-            _load(batch, left, right, force)
+            pull_beads(batch, sides, force)
             failed = batch.relax()
             if force in forces or failed:
                 yield _row(batch, model, force)

@@ -30,13 +30,13 @@ def loaded_forces(largest_pN):
     return [force for force, _, _ in MILLS_2004 if 0.0 < force <= largest_pN]
 
 
-def rms_errors(rows):
+def rms_errors(rows, points=MILLS_2004):
     """(axial, transverse, points): rms relative departure from the measurement, over the rows at measured forces > 0.
 
     None where no usable row stands at a measured force; nothing is interpolated.
     """
     by_force = {row["force_pN"]: row for row in rows if row["axial_um"] is not None}
-    pairs = [(by_force[force], axial, transverse) for force, axial, transverse in MILLS_2004
+    pairs = [(by_force[force], axial, transverse) for force, axial, transverse in points
              if force > 0 and force in by_force]
     if not pairs:
         return None

@@ -11,7 +11,7 @@ def material():
 
 
 def test_presets_are_listed_and_open():
-    assert {"rbc", "platelet", "palabos-rbc", "palabos-platelet"} <= set(npfem.Material.presets())
+    assert {"rbc", "rbc-viscous", "platelet", "palabos-rbc", "palabos-platelet"} <= set(npfem.Material.presets())
     for name in npfem.Material.presets():
         npfem.Material.preset(name).close()
 

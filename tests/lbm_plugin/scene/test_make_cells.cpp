@@ -82,7 +82,7 @@ TEST(MakeCells, MeshAndMaterialFromFiles) {
 TEST(MakeCells, NamesWhatCannotBeUsed) {
   EXPECT_EQ(error_of(with(shear_scene, "material = \"rbc\"", "material = \"rcb\"")),
             "scene.toml:18:12: cells[0].material: npfem_material_preset: unknown material \"rcb\"; did you mean "
-            "\"rbc\"? allowed: rbc, platelet, palabos-rbc, palabos-platelet");
+            "\"rbc\"? allowed: rbc, rbc-viscous, platelet, palabos-rbc, palabos-platelet");
   EXPECT_EQ(error_of(with(shear_scene, "material = \"rbc\"", "material = \"nosuch.toml\"")),
             "scene.toml:18:12: cells[0].material: npfem_material_load: cannot read \"nosuch.toml\": no such file");
   EXPECT_EQ(error_of(with(shear_scene, "level = 2", "mesh = \"none.off\"")),

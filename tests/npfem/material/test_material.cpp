@@ -170,10 +170,10 @@ TEST(MaterialFile, SurvivesRandomDamage) {
   EXPECT_LT(accepted, 19000);
 }
 
-TEST(Presets, AreTheFourShippedOnes) {
-  EXPECT_EQ(Material::preset_names(), (std::vector<std::string>{"rbc", "platelet", "palabos-rbc", "palabos-platelet"}));
+TEST(Presets, AreTheShippedOnes) {
+  EXPECT_EQ(Material::preset_names(), (std::vector<std::string>{"rbc", "rbc-viscous", "platelet", "palabos-rbc", "palabos-platelet"}));
   EXPECT_EQ(message_of([] { Material::preset("rcb"); }),
-            "unknown material \"rcb\"; did you mean \"rbc\"? allowed: rbc, platelet, palabos-rbc, palabos-platelet");
+            "unknown material \"rcb\"; did you mean \"rbc\"? allowed: rbc, rbc-viscous, platelet, palabos-rbc, palabos-platelet");
 }
 
 TEST(Presets, GiveASourceForEveryValueAndAMesh) {
