@@ -43,7 +43,8 @@ fs::path find_program(const std::string& name) {
   std::exit(failed);
 }
 
-/// Where the Python package is, in an installation or beside the source; the library it is to load; this program and its commit.
+/// Where the Python package is, in an installation or beside the source; the library it is to load; this program and
+/// its commit.
 void show_python_the_way() {
   std::error_code error;
   setenv("NPFEM_COMMIT", NPFEM_COMMIT, 0);

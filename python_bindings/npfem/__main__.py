@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MPL-2.0
-"""The verbs of the program that live in Python: `npfem stretch`, `relax`, `fit`, `preview`, `report`; also `python -m npfem ...`.
+"""The verbs of the program that live in Python: stretch, relax, fit, preview, report; also `python -m npfem ...`.
 
 Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted.
 """

@@ -63,14 +63,16 @@ def lines(fit, setup):
     yield "%d iterations, %s" % (fit["iterations"], "converged" if fit["converged"] else "not converged")
     yield from _identification_lines(fit)
     if fit["points"]:
-        yield ("The moduli hold for a %s contact %g um across (%d vertices, %.2f um2 of membrane, on each side): a wider one "
-               "gives softer ones." % (setup.load, setup.contact_diameter_um, fit["contact_vertices"], fit["contact_area_um2"]))
+        yield ("The moduli hold for a %s contact %g um across (%d vertices, %.2f um2 of membrane, on each side): a "
+               "wider one gives softer ones." % (setup.load, setup.contact_diameter_um, fit["contact_vertices"],
+                                           fit["contact_area_um2"]))
 
 
 def document(fit, setup, data):
     """The same as numbers."""
     kept = {key: value for key, value in fit.items() if key != "material"}
-    return {"data": data, "load": setup.load, "contact_diameter_um": setup.contact_diameter_um, "level": setup.level, **kept}
+    return {"data": data, "load": setup.load, "contact_diameter_um": setup.contact_diameter_um, "level": setup.level,
+            **kept}
 
 
 def _source(row, fit, setup, data):

@@ -30,7 +30,8 @@ def check_free(material, free, measured):
     """Raises ValueError where a parameter is not known, not used by the material or not touched by the data."""
     for key in free:
         if key not in literature.PARAMETERS:
-            raise ValueError('--free: no parameter "%s" can be fitted; allowed: %s' % (key, ", ".join(literature.PARAMETERS)))
+            raise ValueError('--free: no parameter "%s" can be fitted; allowed: %s'
+                             % (key, ", ".join(literature.PARAMETERS)))
         known = literature.PARAMETERS[key]
         if known.laws and material[known.law_key] not in known.laws:
             raise ValueError("--free: %s acts with %s = %s, this material has %s"
@@ -39,9 +40,14 @@ def check_free(material, free, measured):
         raise ValueError("--free: each parameter once, and at least one, is needed")
     fits_time = literature.FITTED_BY_RECOVERY in free
     if fits_time and not measured.recoveries:
-        raise ValueError("--free: a cell at rest says nothing about %s; give --relaxation" % literature.FITTED_BY_RECOVERY)
+        raise ValueError("--free: a cell at rest says nothing about %s; give --relaxation"
+                         % literature.FITTED_BY_RECOVERY)
     if measured.recoveries and not fits_time and material[literature.FITTED_BY_RECOVERY] == 0.0:
         raise ValueError("--relaxation: the material has no %s; name it in --free" % literature.FITTED_BY_RECOVERY)
+    count = 2 * len(measured.points) + len(measured.recoveries)
+    if measured.points and count <= len(free):
+        raise ValueError("%d numbers measured and %d parameters free: more data or fewer parameters are needed"
+                         % (count, len(free)))
     if not measured.points and list(free) != [literature.FITTED_BY_RECOVERY]:
         raise ValueError("without points of stretching only %s can be fitted" % literature.FITTED_BY_RECOVERY)
 
@@ -177,23 +183,18 @@ def fit(material, free, measured, setup, say=lambda iteration, values, sum_of_sq
 
     Returns a dict: parameters (one dict each: key, unit, value, low, high of the 95 % interval, band, inside_band,
     identified, why_not, at_bound, correlations), sensitivities, rms_axial, rms_transverse, recovery_s, points,
-    contact_vertices and contact_area_um2 (of one side), mesh_vertices, iterations, converged, rows (of stretch() at the best values) and material (a `Material` with them).
+    contact_vertices and contact_area_um2 (of one side), mesh_vertices, iterations, converged, rows (of stretch() at the
+    best values) and material (a `Material` with them).
     """
     check_free(material, free, measured)
     experiment = Experiment(material, free, measured, setup)
 
-    def ends(which):
-        # The logarithm of 1 - v falls with v, so the ends of that search change places.
-        return [which(literature.to_coordinate(key, literature.PARAMETERS[key].least),
-                      literature.to_coordinate(key, literature.PARAMETERS[key].largest)) for key in free]
-
+    # The logarithm of 1 - v falls with v, so the ends of that search change places.
+    ends = [sorted((literature.to_coordinate(key, literature.PARAMETERS[key].least),
+                    literature.to_coordinate(key, literature.PARAMETERS[key].largest))) for key in free]
     start = [literature.to_coordinate(key, starting_value(material, key)) for key in free]
-    count = 2 * len(measured.points) + len(measured.recoveries)
-    if count < len(start) or (count == len(start) and measured.points):
-        raise ValueError("%d numbers measured and %d parameters free: more data or fewer parameters are needed"
-                         % (count, len(start)))
     x, residuals, slopes, iterations, converged = minimise(
-        experiment.residuals, start, ends(min), ends(max),
+        experiment.residuals, start, [low for low, _ in ends], [high for _, high in ends],
         lambda iteration, at, left: say(iteration, experiment.values(at), float(left @ left)))
     setup = experiment.setup
     with experiment.material.mesh(setup.level) as mesh:

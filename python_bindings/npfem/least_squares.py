@@ -90,7 +90,7 @@ def correlation(covariances):
 
 
 def student_t(freedom, probability=0.95):
-    """The t within which Student's distribution holds this probability: its density summed (Simpson), then bisection."""
+    """The t within which Student's distribution holds this probability: Simpson's rule, and bisection."""
     if freedom == 0:  # the variance is then not estimated, and the distribution normal
         return statistics.NormalDist().inv_cdf(0.5 + 0.5 * probability)
     scale = math.exp(math.lgamma(0.5 * (freedom + 1)) - math.lgamma(0.5 * freedom)) / math.sqrt(freedom * math.pi)

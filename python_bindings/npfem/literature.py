@@ -16,10 +16,11 @@ PARAMETERS = {
     "skalak_C": Known(
         "", 1.0, None, "the bilayer keeps its area far better than any C in use; 1 to 100 are usual", 0.5, 200.0, 10.0,
         "membrane_law", ("skalak",)),
-    "yeoh_c3": Known("uN/m", 1.0, None, "Mills et al., Mech. Chem. Biosyst. 1 (2004) 169, chose G_s/30", 1e-3, 20.0, 0.2,
-                     "membrane_law", ("yeoh",)),
-    "local_area_modulus": Known("uN/m", 1.0, None, "a modulus of the model, not of the membrane", 1.0, 5000.0, 50.0, None,
-                                None),
+    "yeoh_c3": Known(
+        "uN/m", 1.0, None, "Mills et al., Mech. Chem. Biosyst. 1 (2004) 169, chose G_s/30", 1e-3, 20.0, 0.2,
+        "membrane_law", ("yeoh",)),
+    "local_area_modulus": Known(
+        "uN/m", 1.0, None, "a modulus of the model, not of the membrane", 1.0, 5000.0, 50.0, None, None),
     "bending_modulus": Known(
         "1e-19 J", 0.1, (2.0, 4.0),
         "micropipettes and flicker: from 1.8e-19 J, Evans, Biophys. J. 43 (1983) 27, to twice that since", 0.1, 50.0,

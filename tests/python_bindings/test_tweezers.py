@@ -17,6 +17,17 @@ def test_contact_of_the_258_vertex_red_cell():
             assert not set(left) & set(right)
 
 
+def test_contacts_that_hold_the_same_membrane():
+    # A unit square of two triangles, and the membrane within the contacts of docs/materials.md.
+    square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+    assert tweezers.held_area(square, [[0, 1, 2], [0, 2, 3]], [0, 1, 2]) == pytest.approx(0.5)
+    assert tweezers.held_area(square, [[0, 1, 2], [0, 2, 3]], range(4)) == pytest.approx(1.0)
+    for level, diameter, area in ((3, 2.0, 2.05), (4, 1.8, 2.06), (5, 1.7, 2.03)):
+        with npfem.Mesh.generate("rbc", level) as mesh:
+            for side in tweezers.contact_vertices(mesh.positions, diameter):
+                assert tweezers.held_area(mesh.positions, mesh.triangles, side) == pytest.approx(area, abs=0.01)
+
+
 def test_contact_ignores_where_the_cell_is_and_takes_flat_arrays():
     with npfem.Mesh.generate("rbc", 2) as mesh:
         here = tweezers.contact_vertices(mesh.positions)

@@ -171,9 +171,11 @@ TEST(MaterialFile, SurvivesRandomDamage) {
 }
 
 TEST(Presets, AreTheShippedOnes) {
-  EXPECT_EQ(Material::preset_names(), (std::vector<std::string>{"rbc", "rbc-viscous", "platelet", "palabos-rbc", "palabos-platelet"}));
+  EXPECT_EQ(Material::preset_names(),
+            (std::vector<std::string>{"rbc", "rbc-viscous", "platelet", "palabos-rbc", "palabos-platelet"}));
   EXPECT_EQ(message_of([] { Material::preset("rcb"); }),
-            "unknown material \"rcb\"; did you mean \"rbc\"? allowed: rbc, rbc-viscous, platelet, palabos-rbc, palabos-platelet");
+            "unknown material \"rcb\"; did you mean \"rbc\"? allowed: rbc, rbc-viscous, platelet, palabos-rbc, "
+            "palabos-platelet");
 }
 
 TEST(Presets, GiveASourceForEveryValueAndAMesh) {
