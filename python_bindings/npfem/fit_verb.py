@@ -6,7 +6,6 @@ import sys
 
 from . import fit_data, fit_report, literature
 from ._files import require_png, require_writable, write_aside, write_json
-from .fitting import Measured, Setup, fit
 from .material import Material
 from .tweezers import CONTACT_DIAMETER_UM, LOADS
 
@@ -86,6 +85,8 @@ def _failure(found):
 
 def run(options):
     """Fits, prints, writes; returns the exit code."""
+    from .fitting import Measured, Setup, fit  # needs numpy, which the other verbs do without
+
     if not (math.isfinite(options.contact) and options.contact > 0):
         raise ValueError("--contact %g: a positive diameter is needed, um" % options.contact)
     _check_outputs(options)

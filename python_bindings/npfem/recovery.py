@@ -11,7 +11,7 @@ import math
 from .batch import Batch
 from .material import Material
 from .model import Model
-from .tweezers import CONTACT_DIAMETER_UM, add_beads, contact_vertices, pull_beads
+from .tweezers import CONTACT_DIAMETER_UM, add_beads, contact_vertices, flat_numbers, pull_beads
 
 # Cells 1 and 2 of fig. 5: time (s), length over width; digitised, reading error about 1 %.
 HOCHMUTH_1979 = (
@@ -84,7 +84,7 @@ def stretched(material, level=-1, ratio=STRETCHED_RATIO, contact_diameter_um=CON
     batch, sides = _cell(material, level, contact_diameter_um)
     with batch:
         _pull_to(batch, sides, ratio)
-        return [float(number) for point in batch.position[0] for number in point]
+        return flat_numbers(batch.get("position", 0, 1))
 
 
 def recover(material, level=-1, ratio=STRETCHED_RATIO, step_ms=STEP_MS, duration_s=DURATION_S, integrator=BDF2):

@@ -21,6 +21,17 @@ _LARGEST_FORCE_STEP_PN = 25.0
 _BEAD_STIFFNESS_PN_PER_UM = 1000.0
 
 
+def flat_numbers(rows, kind=float):
+    """The numbers of a flat or nested sequence, one after the other."""
+    numbers = []
+    for row in rows:
+        if hasattr(row, "__iter__"):
+            numbers += flat_numbers(row, kind)
+        else:
+            numbers.append(kind(row))
+    return numbers
+
+
 def contact_vertices(positions, contact_diameter_um=CONTACT_DIAMETER_UM):
     """(left, right): indices of the vertices under each bead.
 
@@ -28,7 +39,7 @@ def contact_vertices(positions, contact_diameter_um=CONTACT_DIAMETER_UM):
     off the x axis through the cell's middle and more than half way out to that end: the hollows of a red cell come near
     the axis too, but no bead touches them.
     """
-    flat = [float(number) for point in positions for number in (point if hasattr(point, "__iter__") else (point,))]
+    flat = flat_numbers(positions)
     columns = [flat[axis::3] for axis in range(3)]
     middle = [0.5 * (min(column) + max(column)) for column in columns]
     half_way = 0.25 * (max(columns[0]) - min(columns[0]))
@@ -50,11 +61,11 @@ def held_area(positions, triangles, vertices):
     On meshes of different fineness a contact holds the same membrane where this area is the same, not where the disc
     is: the triangles cut by its edge can still strain.
     """
-    points = [[float(number) for number in point] for point in positions]
+    flat, corners = flat_numbers(positions), flat_numbers(triangles, int)
     inside, area = set(vertices), 0.0
-    for a, b, c in (tuple(int(corner) for corner in triangle) for triangle in triangles):
+    for a, b, c in zip(corners[0::3], corners[1::3], corners[2::3]):
         if a in inside and b in inside and c in inside:
-            p, q = ([points[end][axis] - points[a][axis] for axis in range(3)] for end in (b, c))
+            p, q = ([flat[3 * end + axis] - flat[3 * a + axis] for axis in range(3)] for end in (b, c))
             area += 0.5 * math.hypot(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0])
     return area
 

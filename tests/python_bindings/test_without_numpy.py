@@ -59,6 +59,30 @@ raise SystemExit(main(["stretch", "--level", "2", "--force", "0,20", "--json", "
     assert len(json.loads((tmp_path / "out.json").read_text())["results"]) == 2
 
 
+def test_relax_verb_and_the_contacts(tmp_path):
+    done = run("""
+from npfem import Mesh, recovery, tweezers
+from npfem.__main__ import main
+with Mesh.generate("rbc", 3) as mesh:
+    held = tweezers.contact_vertices(mesh.positions)[0]
+    assert abs(tweezers.held_area(mesh.positions, mesh.triangles, held) - 2.05) < 0.01
+from npfem import Material
+with Material.preset("rbc-viscous") as material:
+    assert len(recovery.stretched(material, 2)) == 66 * 3
+raise SystemExit(main(["relax", "--level", "2", "--step", "20", "--duration", "0.1"]))
+""", tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "t_c = " in done.stdout and "no picture: matplotlib is not installed" in done.stdout
+
+
+def test_fit_says_what_it_needs(tmp_path):
+    done = run("""
+from npfem.__main__ import main
+raise SystemExit(main(["fit", "--level", "2"]))
+""", tmp_path)
+    assert done.returncode == 1 and "numpy" in done.stderr and "Traceback" not in done.stderr
+
+
 def test_preview_says_what_it_needs(tmp_path):
     done = run("""
 from npfem.__main__ import main
