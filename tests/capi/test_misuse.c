@@ -202,10 +202,10 @@ static void misuse_materials_and_models(const struct Objects* o) {
   double value = 0;
   FAILS(npfem_material_preset("rcb"), NPFEM_ERROR_NAME,
         "npfem_material_preset: unknown material \"rcb\"; did you mean "
-        "\"rbc\"? allowed: rbc, platelet, palabos-rbc, "
-        "palabos-platelet");
+        "\"rbc\"? allowed: rbc, rbc-viscous, platelet, "
+        "palabos-rbc, palabos-platelet");
   FAILS(npfem_material_preset_name(99, text, 64), NPFEM_ERROR_ARGUMENT,
-        "npfem_material_preset_name: preset 99 does not exist; there are 4, "
+        "npfem_material_preset_name: preset 99 does not exist; there are 5, "
         "from 0");
   FAILS(npfem_material_load("/nowhere/rbc.toml"), NPFEM_ERROR_IO,
         "npfem_material_load: cannot read \"/nowhere/rbc.toml\": no such file");
