@@ -3,8 +3,7 @@
 
 Radius 4 um, Ca = 0.15, 10 000 1/s, plasma, box 8 radii, to gdot t = 1.5. Error: of D against the boundary integral, less
 the share of the box (C4). Time: of the whole run per simulated millisecond on this machine. One choice at a time is
-changed from dx = 0.5 um, tau = 2, cells every step, 4 points, level 3 (642 vertices), double, implicit; then the qualities
-that a scene can name.
+changed from dx = 0.5 um, tau = 2, cells every step, 4 points, level 3 (642 vertices), double, implicit.
 """
 from npfem.validation import Case
 from npfem.validation.trade_off import CapsuleTrial, report_trade_off
