@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MPL-2.0
 """Inclination of a tank-treading red cell: suspending fluid 55.9 mPa s, 38 1/s.
 
-Cytoplasm 6 mPa s, the shipped material `rbc`, Re = 0.2 (see npfem.validation.tank_treading). Means over donors, scatter
-0.9 to 1.6 degrees; Mirheo is off by 1.4 to 3.3 degrees rms.
+Cytoplasm 6 mPa s, the shipped material `rbc-viscous`, Re = 0.2 (see npfem.validation.tank_treading). Means over donors,
+scatter 0.9 to 1.6 degrees; Mirheo is off by 1.4 to 3.3 degrees rms.
 """
 from npfem.validation import Case
 from npfem.validation.tank_treading import shear_red_cell

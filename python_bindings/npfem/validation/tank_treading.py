@@ -51,7 +51,7 @@ class TankTreading:
 
 
 def shear_red_cell(report, name, rate_per_s, outside_mPa_s, inside_mPa_s=6.0, strain=60.0, reynolds_number=0.2,
-                   dx_um=0.5, relaxation_time=3.0, box_um=(20.0, 16.0, 14.0), material="rbc", level=3,
+                   dx_um=0.5, relaxation_time=3.0, box_um=(20.0, 16.0, 14.0), material="rbc-viscous", level=3,
                    coupling=None, precision="double"):
     """Runs one red cell in a viscous fluid; returns a TankTreading.
 
