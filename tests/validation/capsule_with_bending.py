@@ -4,14 +4,14 @@
 The literature itself scatters by 10 % (Pozrikidis 2001 0.143, Le 2009 0.164, Le & Tan 2010 0.146, Huang 2012 0.164, Zhu
 2015 0.154, Guckenberger 2016 0.133, Huet 2023 0.149), so the band is that of the literature and no tighter. Bending by
 the cotangent law, rest curvature that of the sphere; the papers' laws are not all the same, some hold both principal
-curvatures and not their sum. At this Ca (0.15 by G_s), radius (8 nodes) and box the coupling makes D 3.7 % too large by the
-kernel and 1.35 % by the box: measured without bending in C4.
+curvatures and not their sum. At this Ca (0.15 by G_s), radius (8 nodes) and box the coupling makes D 3.7 % too large by
+the kernel and 1.35 % by the box: measured without bending in C4.
 """
 from npfem.validation import Case
 from npfem.validation.capsule_scene import shear_capsule
 
 CASE = Case(id="C2", title="Capsule with bending in shear", tier="nightly", cost_s=60,
-            source="Pozrikidis, J. Fluid Mech. 440 (2001) 269; Zhu & Brandt, J. Fluid Mech. 770 (2015) 374; as above")
+            source="Pozrikidis, J. Fluid Mech. 440 (2001) 269; Zhu & Brandt, J. Fluid Mech. 770 (2015) 374")
 
 
 def run(report):
