@@ -76,7 +76,7 @@ def _draw(plot):
         from matplotlib.figure import Figure
     except ImportError:
         return '<p class="missing">%s: no picture without matplotlib</p>' % html.escape(plot["title"])
-    with rc_context({"svg.hashsalt": "npfem", "svg.fonttype": "path"}):
+    with rc_context({"svg.hashsalt": "npfem", "svg.fonttype": "none", "font.family": "sans-serif"}):
         figure = Figure(figsize=(7.2, 4.2))
         FigureCanvasSVG(figure)
         axes = figure.add_axes([0.1, 0.13, 0.87, 0.78])
