@@ -15,7 +15,7 @@ CASE = Case(id="C3", title="Capsule at small deformation", tier="nightly", cost_
 _CAPILLARY = 0.02
 _EXCESS = {4: 0.485, 3: 0.365, 2: 0.277}  # of the radius, in node spacings, of the kernels of 4, 3, 2 points (case I2)
 _KERNEL = "the kernel's excess of radius, 0.485 dx for 4 points, enters the capillary number"
-_SECOND_ORDER = "second order in the width of the kernel: 1.5 (dx/a)^2"
+_SECOND_ORDER = "second order in the width of the kernel: 1.4 (dx/a)^2"
 
 
 def run(report):
