@@ -204,10 +204,11 @@ void CellPopulation::carry_fluid(const MassOfAreas& mass) {
 
 void CellPopulation::read(const char* field, std::vector<double>& values) const {
   values.resize(3 * vertices_.size());
+  const bool takes_loads = std::string_view(field) == "elastic_force";
   for (const Cell& cell : cells_) {
     const auto part = std::span(values).subspan(3 * cell.first_vertex, 3 * vertices_of(cell.type));
     kind(cell.type).batch.read(field, cell.slot, 1, part);
-    if (std::string_view(field) == "elastic_force") add_load(cell, part);
+    if (takes_loads) add_load(cell, part);
   }
 }
 
@@ -224,14 +225,14 @@ void CellPopulation::add_load(const Cell& cell, std::span<double> forces) const 
 void CellPopulation::write(const char* field, std::span<const double> values) {
   if (vertices_.empty()) return;
   const std::size_t components = values.size() / vertices_.size();
+  const bool takes_loads = std::string_view(field) == "external_force";
+  std::vector<double> with_load;
   for (const Cell& cell : cells_) {
-    const auto part = values.subspan(components * cell.first_vertex, components * vertices_of(cell.type));
-    if (std::string_view(field) == "external_force" &&
-        !setup_.types[static_cast<std::size_t>(cell.type)].load.empty()) {
-      std::vector<double> forces(part.begin(), part.end());
-      add_load(cell, forces);
-      kind(cell.type).batch.write(field, cell.slot, 1, forces);
-      continue;
+    auto part = values.subspan(components * cell.first_vertex, components * vertices_of(cell.type));
+    if (takes_loads && !setup_.types[static_cast<std::size_t>(cell.type)].load.empty()) {
+      with_load.assign(part.begin(), part.end());
+      add_load(cell, with_load);
+      part = with_load;
     }
     kind(cell.type).batch.write(field, cell.slot, 1, part);
   }
