@@ -5,6 +5,7 @@
 
 #include "energies/angle.h"
 #include "energies/closeness.h"
+#include "energies/collapse_barrier.h"
 #include "energies/cotangent_bending.h"
 #include "energies/dihedral_bending.h"
 #include "energies/edge_strain_limit.h"
@@ -69,7 +70,7 @@ TypeList<As..., Bs...> joined(TypeList<As...>, TypeList<Bs...>);
 /// Laws of a membrane of triangles: those on one triangle share its strain.
 using MembraneEnergies =
     TypeList<Membrane<Skalak>, Membrane<NeoHookean>, Membrane<Yeoh>, Membrane<LineageSurfaceMaterial>,
-             Membrane<LineageArea>, Membrane<LocalArea>, Membrane<TriangleStrainLimit>, Membrane<TriangleArap>>;
+             Membrane<LineageArea>, Membrane<LocalArea>, Membrane<CollapseBarrier>, Membrane<TriangleStrainLimit>, Membrane<TriangleArap>>;
 
 /// Other energies of a fixed number of vertices; each element stands alone.
 using LoneElementEnergies =

@@ -86,6 +86,12 @@ void add_local_area(Model& model, const Material& material, const std::vector<Po
   }
 }
 
+void add_collapse_barrier(Model& model, const Material& material, const std::vector<Point>& stress_free) {
+  if (const double modulus = material.get("collapse_modulus"); modulus > 0) {
+    cover<CollapseBarrier>(model, stress_free, {modulus});
+  }
+}
+
 /// Helfrich's energy on the ring of each vertex.
 template <class Energy>
 void add_curvature_bending(Model& model, const Material& material, const TriangleMesh& mesh) {
@@ -161,6 +167,7 @@ Model build_model(const TriangleMesh& mesh, const Material& material) {
   const std::vector<Point> stress_free = stress_free_shape(mesh, material);
   add_membrane(model, material, stress_free);
   add_local_area(model, material, stress_free);
+  add_collapse_barrier(model, material, stress_free);
   add_bending(model, material, mesh);
   add_cell_terms(model, material);
   model.viscosity = {material.get("membrane_shear_viscosity"), material.get("membrane_dilatational_viscosity")};

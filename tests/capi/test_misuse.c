@@ -237,8 +237,8 @@ static void misuse_materials_and_models(const struct Objects* o) {
   FAILS(npfem_model_measure(o->model, "shear", &value), NPFEM_ERROR_NAME,
         "npfem_model_measure: no measure \"shear\"; allowed: rest_area, "
         "rest_volume, shear_modulus, largest_modulus");
-  FAILS(npfem_model_energy_name(o->model, 4, text, 64), NPFEM_ERROR_ARGUMENT,
-        "npfem_model_energy_name: energy 4 does not exist; there are 4, from 0");
+  FAILS(npfem_model_energy_name(o->model, 5, text, 64), NPFEM_ERROR_ARGUMENT,
+        "npfem_model_energy_name: energy 5 does not exist; there are 5, from 0");
 }
 
 static void misuse_fields(const struct Objects* o) {

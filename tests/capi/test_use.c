@@ -90,7 +90,7 @@ static void check_model(int32_t model) {
     HOLDS(fabs(mass[i] - 10 * area[i]) < 1e-9);
   }
   HOLDS(fabs(sum - rest_area) < 1e-9);
-  HOLDS(npfem_model_energy_count(model) == 4);
+  HOLDS(npfem_model_energy_count(model) == 5);
   OK(npfem_model_energy_name(model, 0, name, (int32_t)sizeof name));
   HOLDS(strlen(name) > 0);
 }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MPL-2.0
 """Blood in a tube of 20 um: apparent viscosity and Fahraeus effect at 30 % tube haematocrit.
 
-Packed, then driven at a pseudo-shear rate U/D of 500 1/s over several diameters. Pries' law takes the discharge
+Packed, then driven at a pseudo-shear rate U/D of 150 1/s over several diameters; cytoplasm of 6 mPa s. Pries' law takes the discharge
 haematocrit; a periodic tube fixes the tube haematocrit, and the values below are by that (Pries' two formulas solved for
 it). Tolerance 15 % and 5 %: the law itself scatters so, and the cells need 25 to 50 diameters to settle, of which a run
 of this length has fewer.

@@ -9,10 +9,12 @@ from .tables import read_csv
 
 _CELL_RADIUS_UM = 3.91
 _VISCOSITY = 1200.0  # of plasma, fg/(um us)
+_INTERIOR_RATIO = 5.0  # cytoplasm of 6 mPa s
 
 
 def _cells(haematocrit, platelets_per_cell=0.0):
-    cells = [{"name": "rbc", "material": "rbc", "level": 3, "haematocrit": haematocrit}]
+    cells = [{"name": "rbc", "material": "rbc", "level": 3, "haematocrit": haematocrit,
+              "interior_viscosity_ratio": _INTERIOR_RATIO}]
     if platelets_per_cell:
         cells.append({"name": "platelet", "material": "platelet", "level": 2, "ratio": platelets_per_cell,
                       "ratio_to": "rbc"})
@@ -71,7 +73,7 @@ def sheared_blood(report, name, rate_per_s, haematocrit, strain, side_um=20.0, d
     return _last_part(folder, 1 / 3)["relative_viscosity"], summary_of(folder)
 
 
-def tube_blood(report, name, haematocrit, diameter_um=20.0, length_um=40.0, dx_um=0.5, pseudo_shear_per_s=500.0,
+def tube_blood(report, name, haematocrit, diameter_um=20.0, length_um=40.0, dx_um=0.5, pseudo_shear_per_s=150.0,
                diameters=12.0, reynolds_number=0.5, relaxation_time=2.0):
     """(means of the rheology over the last third, summary) of blood driven along a tube over some diameters."""
     speed = pseudo_shear_per_s * 1e-6 * diameter_um  # um/us

@@ -39,11 +39,11 @@ class Table : public ::testing::Environment {
              "method finished it); *errors*: worst after any solve, against the rest volume and area,\n"
              "elastic strain included. \"Plasma\": each vertex is dragged with its share of 6 pi eta a.\n\n"
           << text
-          << "\nWhere an error is the answer, the tension of the whole area (`global_area_modulus`) holds\n"
-             "triangles that have lost their own: area is the length of a vector, which has no slope at\n"
-             "zero, so the minimum lies on a kink where no residual force vanishes. Scrambled vertices make\n"
-             "such triangles, and so does 1000 pN where the neck behind a bead closes; without that energy the\n"
-             "same cases converge. The stretched cell is shown on its symmetric branch: with a disturbance of\n"
+          << "\nWithout a collapse barrier (`collapse_modulus`) the tension of the whole area\n"
+             "(`global_area_modulus`) can hold triangles that have lost their own: area is the length of a\n"
+             "vector, which has no slope at zero, so the minimum lies on a kink where no residual force\n"
+             "vanishes. Scrambled vertices make such triangles, and so do 1000 pN where the neck behind a bead\n"
+             "closes and the tips of cells in strong shear. The stretched cell is shown on its symmetric branch: with a disturbance of\n"
              "0.02 um it leaves it at 550 pN, and the neck closes at about 650 pN. The tweezers experiment\n"
              "ends at 200 pN.\n";
     }

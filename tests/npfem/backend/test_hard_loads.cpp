@@ -53,26 +53,18 @@ TEST_P(HardLoads, StretchedBy1000pNAtRest) {
   Relaxed batch(testing::red_cell_model(3), back_end);
   Beads beads(batch);
   Watch watch(batch);
-  double held = 0, length = batch.measure("extent_x", 0);
+  double length = batch.measure("extent_x", 0);
   for (double force = 50; force <= 1000; force += 50) {
     beads.pull(force);
-    const auto hash = batch.state_hash(0);
-    if (batch.relax() > 0) {
-      // Behind a bead the neck has closed: the tension of the whole area holds triangles that have none left.
-      EXPECT_EQ(batch.state_hash(0), hash);
-      EXPECT_NE(batch.status_text(0).find("cell 0 failed"), std::string::npos);
-      break;
-    }
+    EXPECT_EQ(batch.relax(), 0) << force;
     watch.look();
-    held = force;
     EXPECT_GT(batch.measure("extent_x", 0), length);
     length = batch.measure("extent_x", 0);
   }
-  EXPECT_GE(held, 600);
+  EXPECT_EQ(watch.stopped_short(), 0);
   EXPECT_LT(watch.volume_error(), 0.05);
   EXPECT_LT(watch.area_error(), 0.05);
-  watch.book("pulled by up to 1000 pN, relaxed", back_end,
-             held == 1000 ? "converged" : named("converged up to %g pN, then an error, state kept", held));
+  watch.book("pulled by up to 1000 pN, relaxed", back_end, "converged");
 }
 
 TEST_P(HardLoads, StretchedBy1000pNWithoutATensionOfTheWholeArea) {
@@ -96,22 +88,15 @@ TEST_P(HardLoads, StretchedBy1000pNInTime) {
   beads.pull(1000);
   batch.options().time_step = 5;
   Watch watch(batch);
-  int steps = 0;
-  for (; steps < 100; ++steps) {
+  for (int step = 0; step < 100; ++step) {
     drag_towards(batch, testing::uniform(batch.model(), 0, 0, 0));
-    const auto hash = batch.state_hash(0);
-    if (batch.step(1) > 0) {
-      EXPECT_EQ(batch.state_hash(0), hash);
-      EXPECT_NE(batch.status_text(0).find("cell 0 failed"), std::string::npos);
-      break;
-    }
+    EXPECT_EQ(batch.step(1), 0) << step;
     watch.look();
   }
-  EXPECT_GT(batch.measure("extent_x", 0), 20) << "the error came before the neck closed";
+  EXPECT_GT(batch.measure("extent_x", 0), 20);
   EXPECT_LT(watch.volume_error(), 0.05);
   EXPECT_LT(watch.area_error(), 0.05);
-  watch.book("pulled by 1000 pN, in plasma", back_end,
-             steps == 100 ? "converged" : named("converged for %g us, then an error, state kept", 5 * steps));
+  watch.book("pulled by 1000 pN, in plasma", back_end, "converged");
 }
 
 /// A slit across the flow, 2.5 um wide over 8 um, that opens to 9 um on both sides; it runs along x.

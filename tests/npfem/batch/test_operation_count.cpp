@@ -65,6 +65,7 @@ TEST(OperationCount, ModelIsTheSumOfItsElements) {
     Material material = Material::preset("rbc");
     material.set("global_area_modulus", 0);
     material.set("global_volume_modulus", 0);
+    material.set("collapse_modulus", 0);
     const Model model = build_model(evans_fung_cell(level), material);
     const double triangles = static_cast<double>(model.triangles.size());
     const double hinges = static_cast<double>(model.block<DihedralBending>().size());

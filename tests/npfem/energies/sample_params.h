@@ -38,6 +38,10 @@ inline LocalArea::Params<double> sample_params<Membrane<LocalArea>>() {
   return {200};
 }
 template <>
+inline CollapseBarrier::Params<double> sample_params<Membrane<CollapseBarrier>>() {
+  return {68};
+}
+template <>
 inline WormLikeChain::Params<double> sample_params<WormLikeChain>() {
   return {6.3, 1 / 2.2};
 }
@@ -146,6 +150,12 @@ template <>
 inline constexpr double sample_displacement<Membrane<LineageArea>> = 0.02;
 template <>
 inline constexpr double sample_displacement<Tetrahedron<TetrahedronVolume>> = 0.01;
+
+/// How much smaller than at rest a shape is taken: a barrier against collapse feels nothing before.
+template <class E>
+constexpr double sample_squeeze = 1;
+template <>
+inline constexpr double sample_squeeze<Membrane<CollapseBarrier>> = 0.4;
 
 template <class E>
 constexpr bool is_group = requires {

@@ -90,6 +90,8 @@ void compare_lanes() {
     testing::sample_shape<E>(random, 0.3, first);
     testing::sample_shape<E>(random, 0.3, second);
     for (int i = 0; i < n; ++i) {
+      first[i] = testing::sample_squeeze<E> * first[i];
+      second[i] = testing::sample_squeeze<E> * second[i];
       both[i] = {{first[i].x, second[i].x}, {first[i].y, second[i].y}, {first[i].z, second[i].z}};
     }
     const Pair energy = energy_of<E>(both, rest, params, g_both);

@@ -113,6 +113,20 @@ TEST(LocalArea, TensionIsTheModulusTimesTheStrainInAllDirections) {
   EXPECT_NEAR(t.t2, 200 * (1.32 - 1), 1e-10);
 }
 
+TEST(CollapseBarrier, ActsOnTrianglesThatVanishAndOnNoOthers) {
+  const CollapseBarrier::Params<double> p{68};
+  for (const double ratio : {0.4, 0.7, 1.0, 3.0}) {
+    const auto w = CollapseBarrier::respond(2.0, ratio, p);
+    EXPECT_EQ(w.energy, 0);
+    EXPECT_EQ(w.by_area_ratio, 0);
+  }
+  // K (J0 - J)^3/J, and its slope by hand: -K (J0 - J)^2 (3 J + J0 - J)/J^2
+  const auto w = CollapseBarrier::respond(2.0, 0.1, p);
+  EXPECT_NEAR(w.energy, 68 * 0.027 / 0.1, 1e-12);
+  EXPECT_NEAR(w.by_area_ratio, -68 * 0.09 * (0.3 + 0.3) / 0.01, 1e-10);
+  EXPECT_EQ(w.by_square_sum, 0);
+}
+
 TEST(LineageArea, LeavesShearAloneAndProjectsExactly) {
   // Four Newton steps reach the nearest area-preserving stretches: the energy is that of the distance to them.
   const Tensions shear = tensions<LineageArea>({5000, 1, 1}, 1.3, 1 / 1.3);

@@ -40,9 +40,10 @@ TEST(BuildModel, EachEnergyHasItsOwnReference) {
   std::vector<double> energies;
   energy_at_start(*model, energies);
   const auto names = model->energy_names();
-  ASSERT_EQ(names, (std::vector<std::string>{"skalak", "dihedral_bending", "global_area", "global_volume"}));
+  ASSERT_EQ(names, (std::vector<std::string>{"skalak", "collapse_barrier", "dihedral_bending", "global_area",
+                                             "global_volume"}));
   EXPECT_GT(energies[0], 0.1);
-  for (std::size_t i = 1; i < 4; ++i) EXPECT_NEAR(energies[i], 0, 1e-12) << names[i];
+  for (std::size_t i = 1; i < 5; ++i) EXPECT_NEAR(energies[i], 0, 1e-12) << names[i];
 }
 
 TEST(BuildModel, WithoutPrestressTheMeshIsAtRest) {

@@ -80,6 +80,9 @@ Model one_element(Random& random) {
   block.vertices.push_back(ids);
   block.params.push_back(testing::sample_params<E>());
   block.rest.push_back(E::rest(rest, block.params[0]));
+  for (Point& p : model.initial) {
+    for (double& c : p) c *= testing::sample_squeeze<E>;
+  }
   return model;
 }
 
@@ -116,7 +119,7 @@ TYPED_TEST(ElementHessian, ProjectedKeepsWhatCurvesUpward) {
   int indefinite = 0;
   for (unsigned k = 0; k < 20; ++k) {
     const Model model = one_element<TypeParam>(random);
-    const auto x = positions(model, 0.3, k);
+    const auto x = positions(model, 0.3 * testing::sample_squeeze<TypeParam>, k);
     const Eigen::MatrixXd exact = elastic_hessian(model, x, Definite::exact);
     const Eigen::MatrixXd projected = elastic_hessian(model, x, Definite::projected);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> before(exact), after(projected), change(projected - exact);
