@@ -39,6 +39,13 @@ double fastest(std::span<const double> velocities) {
   return std::sqrt(square);
 }
 
+/// A solid that is not made of cells of the setup has no surface that the link knows of.
+double inset_in_nodes(const Setup& setup) {
+  const CouplingSettings& coupling = setup.coupling;
+  if (coupling.scheme == CouplingScheme::lineage || setup.cells.empty()) return 0;
+  return coupling.inset.value_or(kernel_excess(coupling.kernel_points));
+}
+
 }  // namespace
 
 FluidLink::FluidLink(const Setup& setup, const Units& units, Communicator& communicator, Lattice& lattice,
@@ -47,6 +54,7 @@ FluidLink::FluidLink(const Setup& setup, const Units& units, Communicator& commu
       lattice_(lattice),
       exchange_(communicator, lattice.decomposition(), units.dx),
       boundary_(setup.coupling.kernel_points, lattice),
+      inset_(setup, inset_in_nodes(setup) * units.dx),
       contacts_(setup),
       setup_(setup),
       has_walls_(setup.domain.has_walls()),
@@ -64,7 +72,8 @@ void FluidLink::locate(const ImmersedSolid& solid, double delta) {
   expected_.resize(positions_.size());
   for (std::size_t i = 0; i < positions_.size(); ++i) expected_[i] = positions_[i] + delta * velocities_[i];
   own_vertices_ = solid.vertices().size();
-  exchange_.share_positions(solid.vertices(), positions_, expected_, contact_reach(solid, delta));
+  exchange_.share_positions(solid.vertices(), inset_.place(solid.vertices(), positions_), expected_,
+                            contact_reach(solid, delta));
 }
 
 void FluidLink::locate_at(const ImmersedSolid& solid, std::span<const double> positions) {
@@ -80,7 +89,7 @@ int FluidLink::contact_reach(const ImmersedSolid& solid, double delta) {
   if (!(contacts_.reach() > 0) || communicator_.size() == 1) return 0;
   std::array<double, 2> largest{longest_edge(setup_, solid.vertices(), expected_), fastest(velocities_)};
   communicator_.maximum(largest);
-  const double nodes = (contacts_.reach() + largest[0] + 2 * delta * largest[1]) / units_.dx;
+  const double nodes = (contacts_.reach() + largest[0] + 2 * delta * largest[1] + inset_.depth()) / units_.dx;
   const Index3& all = lattice_.decomposition().nodes();
   return static_cast<int>(std::min(std::ceil(nodes), static_cast<double>(*std::max_element(all.begin(), all.end()))));
 }
@@ -113,6 +122,7 @@ void FluidLink::sample_velocity(std::span<double> velocity) {
   interpolate();
   const Stopwatch watch(seconds_.exchange);
   exchange_.return_to_owners(held_velocity_, 3, velocity);
+  inset_.to_vertices(velocity);
 }
 
 void FluidLink::sample_contact(std::span<double> contact) {
@@ -134,6 +144,7 @@ void FluidLink::sample(std::span<double> velocity, std::span<double> contact, st
   find_contacts();
   const Stopwatch watch(seconds_.exchange);
   exchange_.return_to_owners(held_velocity_, 3, velocity, found_, own_);
+  inset_.to_vertices(velocity);
   take_forces(contact);
   for (std::size_t v = 0; v < own_vertices_; ++v) stiffness[v] = stiffness_of(own_[v].stiffness);
 }
@@ -149,7 +160,9 @@ void FluidLink::hold(std::span<const double> forces, const Vec3& outside) {
 void FluidLink::spread(std::span<const double> forces) {
   {
     const Stopwatch watch(seconds_.exchange);
-    exchange_.share_forces(forces, known_force_);
+    at_markers_.assign(forces.begin(), forces.end());
+    inset_.to_markers(at_markers_);
+    exchange_.share_forces(at_markers_, known_force_);
   }
   const Stopwatch watch(seconds_.spreading);
   for (double& component : known_force_) component /= units_.force();

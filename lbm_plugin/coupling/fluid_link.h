@@ -9,6 +9,7 @@
 #include "contact/contacts.h"
 #include "coupling/fluid.h"
 #include "coupling/momentum_audit.h"
+#include "coupling/surface_inset.h"
 #include "coupling/vertex_exchange.h"
 #include "immersed_boundary/immersed_boundary.h"
 #include "lattice/lattice.h"
@@ -67,6 +68,7 @@ class FluidLink final : public Fluid {
   Lattice& lattice_;
   VertexExchange exchange_;
   ImmersedBoundary boundary_;
+  SurfaceInset inset_;
   Contacts contacts_;
   const Setup& setup_;
   bool has_walls_;
@@ -74,6 +76,7 @@ class FluidLink final : public Fluid {
   MomentumAudit& audit_;
 
   std::vector<double> positions_, velocities_, expected_;  // own vertices, um, um/us
+  std::vector<double> at_markers_;                         // forces of own vertices, pN
   std::vector<double> held_velocity_;                      // held vertices, um/us
   std::vector<ContactLoad> found_, own_;                   // vertices around, own vertices
   std::vector<double> known_force_;                        // known vertices, lattice units

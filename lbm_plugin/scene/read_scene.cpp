@@ -51,6 +51,13 @@ void read_coupling(const Table& table, Setup& setup) {
                           : scheme == "peskin" ? CouplingScheme::peskin
                                                : CouplingScheme::lineage;
   setup.coupling.kernel_points = within(table, keys::kernel, 2, 4);
+  if (table.has(keys::inset)) {
+    setup.coupling.inset = table.quantity(keys::inset);
+    if (*setup.coupling.inset > 1) table.fail("inset", "may be up to 1 node");
+    if (setup.coupling.scheme == CouplingScheme::lineage) {
+      table.fail("inset", "is not for scheme \"lineage\"; leave it out");
+    }
+  }
   setup.coupling.steps_per_solve = within(table, keys::cell_every, 1, 1000);
   setup.coupling.forcing_iterations = within(table, keys::forcing_iterations, 1, 100);
   if (setup.coupling.forcing_iterations != 1 && setup.coupling.scheme != CouplingScheme::lineage) {

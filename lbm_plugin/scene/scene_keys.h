@@ -253,6 +253,13 @@ inline constexpr Key kernel{.name = "kernel",
                             .range = Range::positive,
                             .fallback = "4",
                             .doc = "Width of the immersed-boundary kernel in nodes: 2, 3 or 4."};
+inline constexpr Key inset{.name = "inset",
+                           .range = Range::non_negative,
+                           .fallback = optional,
+                           .doc =
+                               "Depth in nodes, up to 1, at which fluid and cells meet under the surface of a cell, so "
+                               "that it drags like one of its own size. Default: what the kernel adds to the radius of "
+                               "a sphere, 0.277, 0.365 or 0.485 for 2, 3 or 4 points; with `lineage` none."};
 inline constexpr Key forcing_iterations{
     .name = "forcing_iterations",
     .kind = Kind::integer,

@@ -46,7 +46,7 @@ std::vector<SceneSection> scene_sections() {
        "One table per cell, in place of a number of cells.",
        {centre, rotate}},
       {"placement", "[placement]", "Of cells that have no list of positions.", {seed, gap, file}},
-      {"coupling", "[coupling]", "Between fluid and cells.", {scheme, kernel, cell_every, forcing_iterations}},
+      {"coupling", "[coupling]", "Between fluid and cells.", {scheme, kernel, inset, cell_every, forcing_iterations}},
       {"lineage",
        "[lineage]",
        "With the scheme `lineage` only: the cells are solved as Palabos-npFEM does, with its settings.",

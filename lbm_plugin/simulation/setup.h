@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,6 +52,9 @@ struct CouplingSettings {
   int steps_per_solve = 1;     ///< fluid steps per step of the cell solver (k)
   int forcing_iterations = 1;  ///< `lineage` only: of the force that makes the fluid follow the vertices
   bool lineage_steps = false;  ///< the cells are solved by the steps of Palabos-npFEM, with its options
+  /// Depth of the markers under the vertices, node spacings (surface_inset.h); empty: what the kernel adds to a sphere,
+  /// and none for `lineage`.
+  std::optional<double> inset = {};
 };
 
 /// What acts between two types of cell, or between a type and the walls, in place of the default.

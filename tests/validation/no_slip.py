@@ -8,6 +8,8 @@ relative to rate times radius, is the slip; the scheme `peskin`, which moves the
 definition, is measured alike while it is stable. Both differ from the tracer by what the flow changes within half a
 step, rate delta/4 or so (0.03 % at k = 1): where `implicit` is no worse than that, it has no slip of its own.
 
+Markers are at the vertices here (inset = 0): under the surface, what moves with the fluid are the markers.
+
 The slip that `implicit` does have is delta dF/m, dF what the force on a vertex of ambient mass m changes by in a
 solve: it comes and goes with the force and adds up to nothing, unlike a leak.
 
@@ -59,6 +61,7 @@ positions = [ { centre = ["15.21 um", "15.21 um", "15.21 um"] } ]
 [coupling]
 scheme = "%s"
 cell_every = %d
+inset = 0
 [solver]
 tolerance = "%.3g pN"
 newton_iterations = 0

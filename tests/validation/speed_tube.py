@@ -3,7 +3,7 @@
 
 The cells fold to parachutes in 8 ms under the force that drives plasma at 2 mm/s; density ten times the true one. Error:
 of the mean flow rate over the last 4 ms against runs at dx = 0.25 and 0.4 um carried on to 0. Choices
-as in Q1.
+and times as in Q1.
 """
 from npfem.validation import Case
 from npfem.validation.trade_off import TubeTrial, report_trade_off

@@ -20,5 +20,19 @@ def write_cells(path, name, triangles, cells):
     content = content.encode()
     for positions in cells:
         content += struct.pack("<%dd" % len(positions), *(float(x) for x in positions))
+    _write(path, content)
+
+
+def shift_cells(source, target, shift):
+    """Copies such a file with every vertex moved by `shift`, um."""
+    with open(source, "rb") as stream:
+        content = stream.read()[:-8]
+    start = content.index(b"\nend\n") + 5
+    numbers = struct.unpack("<%dd" % ((len(content) - start) // 8), content[start:])
+    moved = [x + shift[index % 3] for index, x in enumerate(numbers)]
+    _write(target, content[:start] + struct.pack("<%dd" % len(moved), *moved))
+
+
+def _write(path, content):
     with open(path, "wb") as stream:
         stream.write(content + struct.pack("<Q", _fnv1a(content)))

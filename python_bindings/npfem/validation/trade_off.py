@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MPL-2.0
 """Speed against error of a scene over the choices it can make: the diagrams from which the qualities of a scene come.
 
-Needs numpy. Times are those of the machine it runs on, with other work standing still.
+Needs numpy. Times are processor seconds of this machine: what a run takes on one thread, whatever else goes on.
 """
 import dataclasses
 import os
@@ -28,6 +28,12 @@ class Choice:
     level: int = 3
     precision: str = "double"
     scheme: str = "implicit"
+    # Nodes under the surface at which fluid and cells meet; None: what the kernel adds to a sphere.
+    inset: float = None
+    # With mass and a penalty on the volume of its own, which the lineage's coupling needs: nothing else carries its loads.
+    filled: bool = False
+    # With the lineage's coupling: the damping that it ships with (Calpha 0.9, Cbeta 0.01 us), or none.
+    damped: bool = True
 
     def label(self, base):
         """What differs from another choice."""
@@ -44,10 +50,15 @@ VARIATIONS = (
     ("tau", [Choice(tau=tau) for tau in (0.8, 1.0, 2.0, 4.0, 8.0, 12.0)]),
     ("cell_every", [Choice(cell_every=every) for every in (1, 2, 3, 5)]),
     ("kernel", [Choice(kernel=kernel) for kernel in (2, 3, 4)]),
+    ("inset", [Choice(kernel=kernel, inset=0.0) for kernel in (2, 3, 4)]),
     ("level", [Choice(level=level) for level in (2, 3, 4)]),
     ("precision", [Choice(precision=precision) for precision in ("double", "float")]),
-    ("scheme", [Choice(tau=1.0, scheme=scheme) for scheme in ("implicit", "peskin", "lineage")]),
+    ("scheme", [Choice(tau=1.0, scheme=scheme) for scheme in ("implicit", "peskin")]),
 )
+
+# The lineage's coupling beside ours on a capsule that it can move.
+FILLED = [Choice(tau=1.0, filled=True)] + [Choice(tau=1.0, scheme="lineage", filled=True, damped=damped)
+                                           for damped in (True, False)]
 
 # The qualities that a scene can name (scene/quality.cpp).
 QUALITIES = {
@@ -65,22 +76,29 @@ def _fluid(choice, viscosity, density):
 
 
 def _coupling(choice):
-    return {"scheme": choice.scheme, "kernel": choice.kernel, "cell_every": choice.cell_every}
+    coupling = {"scheme": choice.scheme, "kernel": choice.kernel, "cell_every": choice.cell_every}
+    return coupling if choice.inset is None else {**coupling, "inset": choice.inset}
 
 
 def _whole(length_um, dx_um):
     return round(length_um / dx_um) * dx_um
 
 
-def _seconds_per_ms(folder):
-    summary = summary_of(folder)
-    return summary["wall_s"] / (summary["time_us"] / 1000)
+def _processor_seconds():
+    """Of all programs that were run and have ended."""
+    times = os.times()
+    return times.children_user + times.children_system
+
+
+def _seconds_per_ms(folder, started_at):
+    """Processor seconds since `started_at` per simulated millisecond of the run in `folder`."""
+    return (_processor_seconds() - started_at) / (summary_of(folder)["time_us"] / 1000)
 
 
 class CapsuleTrial:
     """A capsule of radius 4 um in shear, against the boundary integral."""
 
-    name, unit = "capsule", "% of D"
+    name, unit, filled = "capsule", "% of D", FILLED
     radius_um, rate, capillary, strain = 4.0, 1e-2, 0.15, 1.5  # um, 1/us
     # Of the box of 8 radii, measured with one of 16 (case C4), per cent of D.
     box_share = 1.35
@@ -92,45 +110,53 @@ class CapsuleTrial:
             pass
 
     def run(self, report, choice, name):
-        """(error, seconds per simulated ms)."""
+        """(error, processor seconds per simulated ms)."""
         modulus = VISCOSITY * self.rate * self.radius_um / self.capillary
         length = _whole(8 * self.radius_um, choice.dx_um)
         fluid, dt = _fluid(choice, VISCOSITY, DENSITY)
-        with open(os.path.join(report.folder, "capsule.toml"), "w", encoding="utf-8") as stream:
+        parameters = {"membrane_law": "neo_hookean", "shear_modulus": quantity(modulus, "uN/m")}
+        if choice.filled:
+            parameters.update(solid_density=quantity(DENSITY, "kg/m3"), global_volume_modulus="2 kPa",
+                              global_volume_form="exact")
+        with open(os.path.join(report.folder, name + "_capsule.toml"), "w", encoding="utf-8") as stream:
             stream.write(toml({
                 "schema_version": 1, "name": "capsule", "description": "Capsule of a validation case.",
                 "mesh": {"shape": "icosphere", "level": choice.level, "diameter": quantity(2 * self.radius_um, "um")},
-                "parameters": {"membrane_law": "neo_hookean", "shear_modulus": quantity(modulus, "uN/m")},
-                "sources": {"membrane_law": "Of the case."}}))
+                "parameters": parameters, "sources": {key: "Of the case." for key in parameters}}))
+        started_at = _processor_seconds()
         folder = run_scene(report, name, {
             "schema_version": 1, "title": name,
             "domain": {"kind": "shear_box", "size": quantities([length] * 3, "um"), "dx": quantity(choice.dx_um, "um")},
             "fluid": fluid, "flow": {"shear_rate": quantity(self.rate * 1e6, "1/s"), "start": "developed"},
-            "coupling": _coupling(choice),
-            "cells": [{"name": "capsule", "material": "capsule.toml",
+            "coupling": _coupling(choice), **({} if choice.damped else {"lineage": {"alpha": 0, "beta": "0 us"}}),
+            "cells": [{"name": "capsule", "material": name + "_capsule.toml",
                        "positions": [{"centre": quantities([0.5 * length] * 3, "um")}]}],
             "run": {"steps": round(self.strain / (self.rate * dt))},
             "output": {"fluid": False, "cells": False, "table_every": quantity(0.1 / self.rate, "us")},
         })
         table = read_csv(os.path.join(folder, "cells.csv"))
         deformation = float(numpy.interp(self.strain / self.rate, table["time_us"], table["taylor_deformation"]))
-        return 100 * (deformation / self.exact - 1) - self.box_share, _seconds_per_ms(folder)
+        return 100 * (deformation / self.exact - 1) - self.box_share, _seconds_per_ms(folder, started_at)
 
 
 class Extrapolated:
     """A trial without an exact answer: errors are against its own runs at 0.25 and 0.4 um, carried on to dx = 0 along a
     line, as the width of the kernel, the largest error, is of first order in dx."""
 
+    filled = []
+
     def prepare(self, report):
         """The value that the others are held against."""
-        fine, coarse = (Choice(dx_um=dx, kernel=3) for dx in (0.25, 0.4))
-        near, far = self.observe(report, fine, "fine")[0], self.observe(report, coarse, "coarse")[0]
+        fine = QUALITIES["accurate"]
+        coarse = dataclasses.replace(fine, dx_um=0.4)
+        self.known = {choice: self.observe(report, choice, "dx%g" % choice.dx_um) for choice in (fine, coarse)}
+        near, far = self.known[fine][0], self.known[coarse][0]
         self.exact = near + (near - far) * fine.dx_um / (coarse.dx_um - fine.dx_um)
         report.measured("value extrapolated to dx = 0", self.exact)
 
     def run(self, report, choice, name):
-        """(error, seconds per simulated ms)."""
-        value, seconds = self.observe(report, choice, name)
+        """(error, processor seconds per simulated ms)."""
+        value, seconds = self.known.get(choice) or self.observe(report, choice, name)
         return 100 * (value / self.exact - 1), seconds
 
 
@@ -140,12 +166,12 @@ class TankTreadingTrial(Extrapolated):
     name, unit = "tank-treading red cell", "% of the frequency"
 
     def observe(self, report, choice, name):
-        """(nu/gdot, seconds per simulated ms)."""
-        folder = os.path.join(report.folder, name)
+        """(nu/gdot, processor seconds per simulated ms)."""
+        folder, started_at = os.path.join(report.folder, name), _processor_seconds()
         ours = shear_red_cell(report, name, 131.6, 28.9, strain=15.0, dx_um=choice.dx_um, relaxation_time=choice.tau,
                               level=choice.level, box_um=(16.0, 16.0, 12.0), coupling=_coupling(choice),
                               precision=choice.precision)
-        return ours.frequency(6.0), _seconds_per_ms(folder)
+        return ours.frequency(6.0), _seconds_per_ms(folder, started_at)
 
 
 class TubeTrial(Extrapolated):
@@ -154,8 +180,9 @@ class TubeTrial(Extrapolated):
     name, unit = "blood in a tube", "% of the flow rate"
 
     def observe(self, report, choice, name):
-        """(mean flow rate over the last half, seconds per simulated ms)."""
+        """(mean flow rate over the last half, processor seconds per simulated ms)."""
         fluid, dt = _fluid(choice, VISCOSITY, 10 * DENSITY)
+        started_at = _processor_seconds()
         centres = [(5.0, 5.0, 2.5 + 5.0 * n) for n in range(4)]
         folder = run_scene(report, name, {
             "schema_version": 1, "title": name,
@@ -167,12 +194,12 @@ class TubeTrial(Extrapolated):
             "output": {"fluid": False, "cells": False, "table_every": "100 us"},
         })
         flow = read_csv(os.path.join(folder, "rheology.csv"))["flow_rate_um3_per_us"]
-        return sum(flow[len(flow) // 2:]) / len(flow[len(flow) // 2:]), _seconds_per_ms(folder)
+        return sum(flow[len(flow) // 2:]) / len(flow[len(flow) // 2:]), _seconds_per_ms(folder, started_at)
 
 
 def report_trade_off(report, trial):
-    """Runs every variation; a diagram and a number for each."""
-    plot = report.plot("Speed against error: %s" % trial.name, "s per simulated ms", "size of the error (%s)" % trial.unit,
+    """Runs every variation, then the qualities that a scene can name; a diagram and a number for each."""
+    plot = report.plot("Speed against error: %s" % trial.name, "processor s per simulated ms", "size of the error (%s)" % trial.unit,
                        x_log=True, y_log=True)
     known = {}
     trial.prepare(report)
@@ -186,22 +213,22 @@ def report_trade_off(report, trial):
                 known[choice] = None
         return known[choice]
 
-    for name, choices in VARIATIONS:
+    def tell(label, result):
+        if result is None:
+            report.measured("%s: no result (unstable)" % label, float("nan"))
+            return
+        report.measured("error with %s" % label, result[0], unit=trial.unit)
+        report.measured("time with %s" % label, result[1], unit="s/ms")
+
+    series = list(VARIATIONS) + ([("filled", trial.filled)] if trial.filled else [])
+    for name, choices in series:
         found = [(choice, measure(choice)) for choice in choices]
         good = [result for _, result in found if result]
         report.curve(plot, name, [seconds for _, seconds in good], [max(abs(error), 0.01) for error, _ in good])
         for choice, result in found:
-            if result is None:
-                report.measured("%s: no result (unstable)" % choice.label(BASE), float("nan"))
-                continue
-            report.measured("error with %s" % choice.label(BASE), result[0], unit=trial.unit)
-            report.measured("time with %s" % choice.label(BASE), result[1], unit="s/ms")
-
-
-def report_qualities(report, trial):
-    """Runs the qualities that a scene can name; their errors and times."""
-    trial.prepare(report)
+            tell(choice.label(BASE), result)
     for name, choice in QUALITIES.items():
-        error, seconds = trial.run(report, choice, "%s_%s" % (trial.name.replace(" ", "_"), name))
-        report.measured('error of quality "%s", %s' % (name, trial.name), error, unit=trial.unit)
-        report.measured('time of quality "%s", %s' % (name, trial.name), seconds, unit="s/ms")
+        result = measure(choice)
+        tell('quality "%s"' % name, result)
+        if result:
+            report.curve(plot, name, [result[1]], [max(abs(result[0]), 0.01)], points=True)

@@ -24,6 +24,7 @@ flow::Setup capsule_in_shear(CouplingScheme scheme, double modulus, const char* 
   setup.domain.plate_speed = 0.04;
   setup.start_developed = true;
   setup.coupling.scheme = scheme;
+  setup.coupling.inset = 0;  // as the lineage couples: at the vertices
   setup.types = {capsules::capsule("sphere", 2, 4.0, capsules::skalak(modulus, 1) + kVolume + density)};
   capsules::place(setup, 0, {10, 10, 8});
   return setup;
