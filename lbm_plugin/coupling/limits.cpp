@@ -86,6 +86,13 @@ void add_cell_limits(std::vector<Limit>& limits, const Setup& setup, const Units
                 "vertices keep the stiff constraint exactly, but the fluid resists it less than it should; "
                 "reduce time_step or cell_every if the cell is driven against it"}));
   }
+  // On a surface of equilateral triangles a vertex has the area (sqrt 3/2) spacing^2.
+  const double area = type.model->measure("rest_area") / static_cast<double>(type.shape.size() / 3);
+  const double reach = 0.5 * setup.coupling.kernel_points * units.dx;
+  limits.push_back(judged("spacing " + type.name, "distance of neighbouring vertices over the reach of the kernel",
+                          std::sqrt(area * 2 / std::sqrt(3.0)) / reach, 0.85, 1.1,
+                          {"the surface is tight", "the surface leaks a little: a percent or two in the flow past it",
+                           "fluid leaks between the vertices; take a wider kernel, a larger level or a larger dx"}));
   limits.push_back(judged(
       "compression " + type.name, "3 G_s/a in lattice units: how much a cell's own tension compresses the fluid in it",
       3.0 * shear / (units.pressure() * radius), 0.008, 0.02,

@@ -21,7 +21,7 @@ struct Quality {
 constexpr std::array qualities{
     Quality{"fast", "0.5 um", "4", "3", "2", "float"},
     Quality{"balanced", "0.5 um", "2", "3", "2", "double"},
-    Quality{"accurate", "0.25 um", "2", "3", "2", "double"},
+    Quality{"accurate", "0.25 um", "2", "4", "2", "double"},
 };
 
 }  // namespace

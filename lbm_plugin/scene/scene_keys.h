@@ -32,8 +32,8 @@ inline constexpr Key quality{
     .fallback = optional,
     .doc =
         "Values for `domain.dx`, `fluid.tau`, `fluid.precision`, `coupling.kernel` and `coupling.cell_every` where the "
-        "scene leaves them out, for cells of the size of a red cell; their errors: docs/speed_and_error.md. Default: "
-        "none, each key has its own."};
+        "scene leaves them out, for red cells of level 3, with `accurate` of level 4; their errors: "
+        "docs/speed_and_error.md. Default: none, each key has its own."};
 
 // [fluid]
 inline constexpr Key density{.name = "density",

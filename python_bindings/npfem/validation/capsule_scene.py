@@ -8,6 +8,7 @@ from .tables import read_csv
 
 _DX_UM, _VISCOSITY, _DENSITY = 0.5, 1200.0, 1000.0  # um, fg/(um us), fg/um3 = kg/m3
 
+
 class CapsuleRun:
     """gdot t, Taylor's D, inclination (degrees) and volume over the first, by time; the summary's wall time."""
 
@@ -29,11 +30,11 @@ class CapsuleRun:
 
 def shear_capsule(report, name, capillary_number, strain, radius=8, box=(8, 8, 8), level=3, law="neo_hookean",
                   reynolds_number=0.1, relaxation_time=2.0, scheme="implicit", kernel=4, cell_every=1,
-                  bending=0.0, precision="double", **parameters):
+                  inset=None, bending=0.0, precision="double", **parameters):
     """Runs it; returns a CapsuleRun.
 
     `radius`: in nodes; `box`: in radii; capillary number mu gdot a / G_s; Reynolds number gdot a^2 / nu;
-    `relaxation_time`: tau of the lattice, which sets the time step; `bending`: kappa_b / (G_s a^2);
+    `relaxation_time`: tau of the lattice, which sets the time step; `inset`: None for what the kernel asks for; `bending`: kappa_b / (G_s a^2);
     `parameters`: further ones of the material.
     """
     viscosity = _VISCOSITY / _DENSITY
@@ -57,7 +58,8 @@ def shear_capsule(report, name, capillary_number, strain, radius=8, box=(8, 8, 8
         "fluid": {"density": quantity(_DENSITY, "kg/m3"), "dynamic_viscosity": quantity(_VISCOSITY / 1000, "mPa s"),
                   "time_step": quantity(dt, "us"), "precision": precision},
         "flow": {"shear_rate": quantity(rate * 1e6, "1/s"), "start": "developed"},
-        "coupling": {"scheme": scheme, "kernel": kernel, "cell_every": cell_every},
+        "coupling": {"scheme": scheme, "kernel": kernel, "cell_every": cell_every,
+                     **({} if inset is None else {"inset": inset})},
         "cells": [{"name": "capsule", "material": "capsule.toml",
                    "positions": [{"centre": quantities([0.5 * length for length in lengths], "um")}]}],
         "run": {"steps": round(strain / (rate * dt))},

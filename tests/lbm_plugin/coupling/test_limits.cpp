@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 #include "capsules.h"
 
@@ -51,6 +52,18 @@ TEST(Limits, JudgeByTheBounds) {
   EXPECT_EQ(limit(accuracy_limits(worked_example(1), 0.05, 3e-3), "gdot_T").verdict, Verdict::exceeded);
   EXPECT_EQ(limit(accuracy_limits(worked_example(1), 1.0, 0), "Ma").verdict, Verdict::exceeded);
   for (const Limit& l : limits) EXPECT_FALSE(l.advice.empty()) << l.name;
+}
+
+TEST(Limits, KnowWhereVerticesAreTooFarApartForTheKernel) {
+  // 642 vertices on a sphere of 4 um: 0.6 um apart, 1.2 nodes.
+  flow::Setup setup = worked_example(1);
+  for (const auto& [points, ratio, verdict] : {std::tuple{4, 0.60, Verdict::good}, std::tuple{3, 0.80, Verdict::good},
+                                               std::tuple{2, 1.20, Verdict::exceeded}}) {
+    setup.coupling.kernel_points = points;
+    const auto limits = accuracy_limits(setup, 0, 0);
+    EXPECT_NEAR(limit(limits, "spacing capsule").value, ratio, 0.01);
+    EXPECT_EQ(limit(limits, "spacing capsule").verdict, verdict);
+  }
 }
 
 TEST(Limits, AreThoseOfTheCouplingInUse) {

@@ -57,6 +57,16 @@ TEST(ReadScene, QualityFillsInWhatIsLeftOut) {
   EXPECT_GT(balanced.setup.domain.dx, accurate.setup.domain.dx);
   EXPECT_GT(fast.setup.time_step, balanced.setup.time_step);
   EXPECT_EQ(accurate.setup.fluid_precision, FluidPrecision::in_double);
+  EXPECT_EQ(accurate.setup.coupling.kernel_points, 4);
+}
+
+TEST(ReadScene, InsetIsTheKernelsOwnWhereItIsLeftOut) {
+  EXPECT_FALSE(parsed(shear_scene).setup.coupling.inset.has_value());
+  EXPECT_EQ(parsed(shear_scene, {"coupling.inset=0"}).setup.coupling.inset, 0.0);
+  EXPECT_EQ(parsed(shear_scene, {"coupling.inset=0.3"}).setup.coupling.inset, 0.3);
+  EXPECT_THROW(parsed(shear_scene, {"coupling.inset=1.5"}), text::InputError);
+  EXPECT_THROW(parsed(shear_scene, {"coupling.inset=-0.1"}), text::InputError);
+  EXPECT_THROW(parsed(shear_scene, {"coupling.scheme=lineage", "coupling.inset=0.3"}), text::InputError);
 }
 
 TEST(ReadScene, QualityLeavesWhatTheSceneSays) {
