@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: MPL-2.0
 """Viscosity of blood against the shear rate: 35 % red cells in a box of 20 um, at 100 and 500 1/s.
 
-Packed, then sheared for gdot t = 12; cytoplasm of 6 mPa s; relative viscosity from the stress on the plates over the last third. The plates
-are 20 um apart, four cells: a small box, and its walls leave layers without cells, which lower the stress. The reference
-holds for aggregating blood without walls (Quemada's fit) and, in the limit of large tubes, for Pries' law; so 20 % is
-allowed and only rates from 50 1/s on are compared. Density raised so that gdot a^2/nu = 0.05.
+Packed, then sheared for gdot t = 12; cytoplasm of 6 mPa s; relative viscosity from the stress on the plates over the
+last third. The plates are 20 um apart, four cells: a small box, and its walls leave layers without cells, which lower
+the stress. The reference holds for aggregating blood without walls (Quemada's fit) and, in the limit of large tubes,
+for Pries' law; so 20 % is allowed and only rates from 50 1/s on are compared. Density raised so that gdot a^2/nu = 0.05.
 """
 from npfem.validation import Case
 from npfem.validation.suspension import sheared_blood
 
 CASE = Case(id="B4", title="Viscosity of sheared blood", tier="release", cost_s=900,
-            source="Quemada, Rheol. Acta 17 (1978) 632, coefficients for blood; Pries, Neuhaus & Gaehtgens, Am. J. Physiol. 263 (1992) H1770")
+            source="Quemada, Rheol. Acta 17 (1978) 632, coefficients for blood; Pries, Neuhaus & Gaehtgens, Am. J. "
+                   "Physiol. 263 (1992) H1770")
 
 # shear rate (1/s): mu/mu_plasma at 35 %
 QUEMADA_35 = {50: 2.94, 100: 2.79, 200: 2.68, 500: 2.58}

@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: MPL-2.0
 """A neo-Hookean capsule, a sphere at rest, in simple shear: deformation and inclination at three capillary numbers.
 
-The core benchmark of the coupling. Radius 8 nodes, box 10 radii, Re = 0.1, 642 vertices, tau = 2, kernel of 2 points; with
-4 points where that matters most, at the smallest Ca. Held against two things: published curves, and a boundary integral computed beside it (npfem.validation.boundary_integral), which shares
-neither fluid nor membrane code with the coupled solver and has neither walls nor inertia nor a lattice.
+The core benchmark of the coupling. Radius 8 nodes, box 10 radii, Re = 0.1, 642 vertices, tau = 2, kernel of 2 points;
+with 4 points where that matters most, at the smallest Ca. Held against two things: published curves, and a boundary
+integral computed beside it (npfem.validation.boundary_integral), which shares neither fluid nor membrane code with the
+coupled solver and has neither walls nor inertia nor a lattice.
 
 The two yardsticks disagree: at Ca = 0.3 and 0.6 the boundary integral, which meets linear theory within 0.3 % and
 changes by 0.6 % from 162 to 642 vertices, ends at D = 0.400 and 0.529, published curves at 0.381 to 0.392 and 0.495 to
-0.500, though all of them agree within 1.5 % up to gdot t = 1. No kernel, mesh, box or time step moves the coupled result
-there. With Ramanujan & Pozrikidis' thin-shell law instead of the neo-Hookean one the boundary integral gives 0.396 and
-0.521.
+0.500, though all of them agree within 1.5 % up to gdot t = 1. No kernel, mesh, box or time step moves the coupled
+result there. With Ramanujan & Pozrikidis' thin-shell law instead of the neo-Hookean one the boundary integral gives
+0.396 and 0.521.
 
 D: (long - short)/(long + short) of the semi-axes of the ellipsoid with the same second moments; largest and smallest
-distance of a vertex from the centre give 0.397 instead of 0.400 at Ca = 0.3. Ca = mu gdot a / G_s: papers that divide by
-E_s = 3 G_s print a third of it.
+distance of a vertex from the centre give 0.397 instead of 0.400 at Ca = 0.3. Ca = mu gdot a / G_s: papers that divide
+by E_s = 3 G_s print a third of it.
 """
 from npfem.validation import Case, boundary_integral
 from npfem.validation.capsule_scene import shear_capsule

@@ -41,7 +41,8 @@ def run(report):
                        relative=0.03, known_failure=_SECOND_ORDER if (radius, kernel) not in ((12, 2),) else "")
     report.compare("order of the error in dx/a, 4 points, a = 6 to 12 dx", math.log2(error[6, 4] / error[12, 4]), 2,
                    absolute=0.3)
-    at_vertices = {radius: (measure(radius, tau=tau, inset=0) - box_share) / exact - 1 for radius, tau in ((6, 2.0), (12, 4.0))}
+    at_vertices = {radius: (measure(radius, tau=tau, inset=0) - box_share) / exact - 1
+                   for radius, tau in ((6, 2.0), (12, 4.0))}
     for radius, value in at_vertices.items():
         report.measured("error with markers at the vertices, a = %d dx, 4 points" % radius, 100 * value, unit="%")
     report.measured("its order", math.log2(at_vertices[6] / at_vertices[12]))

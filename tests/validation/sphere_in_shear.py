@@ -41,7 +41,7 @@ def spin(path):
 
 
 def run(report):
-    """Three radii at the same share of volume."""
+    """Three radii at the same share of volume with markers at the vertices, two with markers under the surface."""
     nominal = {}
     for radius in (4, 6, 8):
         rate = REYNOLDS / radius ** 2
@@ -62,13 +62,26 @@ def run(report):
                        known_failure=COARSE if radius == 4 else "")
         report.compare("intrinsic viscosity with the nominal volume against a smeared surface, a = %d dx" % radius,
                        added / share, in_shear((radius,) * 3, 4)[1], relative=0.1)
+    under = {}
+    for radius in (4, 6):
+        rate = REYNOLDS / radius ** 2
+        write_spheroid(report.folder, (radius,) * 3, rate)
+        folder = run_scene(report, "markers_%d" % radius, scene_in_shear((10 * radius,) * 3, rate, 1.2, lines=12,
+                                                                         inset=None))
+        last = read_pvd(os.path.join(folder, "cells.pvd"))[-1][1]
+        name = "markers under the surface, a = %d dx" % radius
+        report.compare("turning over the shear rate, " + name, -spin(last) / rate, 0.5, relative=0.02)
+        added = read_csv(os.path.join(folder, "rheology.csv"))["relative_viscosity"][-1] - 1
+        under[radius] = added / (4 / 3 * math.pi / 1000)
+        report.compare("intrinsic viscosity, " + name, under[radius], 2.5, relative=0.1)
     plot = report.plot("Intrinsic viscosity of a stiff sphere", "node spacing over the radius", "[eta]")
     x = [1 / radius for radius in nominal]
     slope, inverse = numpy.polyfit(x, [1 / value for value in nominal.values()], 1)
     report.compare("intrinsic viscosity, limit dx/a to 0", 1 / inverse, 2.5, relative=0.1)
     report.measured("excess of the radius that the stresslet has, to first order", -slope / inverse / 3, unit="dx")
-    report.curve(plot, "nominal volume", x, nominal.values(), points=True)
-    report.curve(plot, "volume of the effective radius", x,
+    report.curve(plot, "markers at the vertices", x, nominal.values(), points=True)
+    report.curve(plot, "markers under the surface", [1 / radius for radius in under], under.values(), points=True)
+    report.curve(plot, "markers at the vertices, volume of the effective radius", x,
                  [value / (1 + EXCESS / radius) ** 3 for radius, value in nominal.items()], points=True)
     fine = numpy.linspace(0, 0.25, 50)
     report.curve(plot, "extrapolation", fine, 1 / (inverse + slope * fine))

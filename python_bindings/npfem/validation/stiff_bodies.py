@@ -39,6 +39,7 @@ mesh = "body.off"
 positions = [ { centre = ["%.6f um", "%.6f um", "%.6f um"] } ]
 [coupling]
 kernel = %d
+%s
 [solver]
 tolerance = "%.3g pN"
 newton_iterations = 0
@@ -63,12 +64,12 @@ def write_spheroid(folder, semi_axes, shear_rate, capillary=1e-3):
         stream.write(_MATERIAL % (modulus, 0.01 * modulus * min(semi_axes) ** 2))
 
 
-def scene_in_shear(box, shear_rate, duration, kernel=4, lines=100):
+def scene_in_shear(box, shear_rate, duration, kernel=4, lines=100, inset=0):
     """The body in the middle of a shear box of so many nodes, a little off any place of symmetry among them.
 
-    `duration` in units of 1/shear rate; `lines`: of the tables.
+    `duration` in units of 1/shear rate; `lines`: of the tables; `inset`: of the markers, None for the kernel's own.
     """
     centre = [0.5 * n + 0.21 for n in box]
     tolerance = 0.1 * shear_rate  # 1e-4 of the force that the flow exerts on 1 um2
-    return _SCENE % (*box, TAU, shear_rate, *centre, kernel, tolerance, duration / shear_rate / lines,
+    return _SCENE % (*box, TAU, shear_rate, *centre, kernel, "" if inset is None else "inset = %g" % inset, tolerance, duration / shear_rate / lines,
                      duration / shear_rate)

@@ -103,7 +103,8 @@ def tube_blood(report, name, haematocrit, diameter_um=20.0, length_um=40.0, dx_u
         "output": {"table_every": quantity(time / 500, "us"), "fluid": False},
     }
     _, packed = _pack(report, name, scene)
-    shift_cells(packed.replace(".toml", ".cells"), os.path.join(report.folder, name + ".cells"), (layer_um, layer_um, 0))
+    shift_cells(packed.replace(".toml", ".cells"), os.path.join(report.folder, name + ".cells"),
+                (layer_um, layer_um, 0))
     scene["domain"]["diameter"] = quantity(diameter_um, "um")
     scene["cells"] = _cells(None)
     scene["placement"] = {"file": name + ".cells"}

@@ -30,7 +30,8 @@ class Choice:
     scheme: str = "implicit"
     # Nodes under the surface at which fluid and cells meet; None: what the kernel adds to a sphere.
     inset: float = None
-    # With mass and a penalty on the volume of its own, which the lineage's coupling needs: nothing else carries its loads.
+    # With mass and a penalty on the volume of its own, which the lineage's coupling needs: nothing else carries its
+    # loads.
     filled: bool = False
     # With the lineage's coupling: the damping that it ships with (Calpha 0.9, Cbeta 0.01 us), or none.
     damped: bool = True
@@ -200,8 +201,8 @@ class TubeTrial(Extrapolated):
 
 def report_trade_off(report, trial):
     """Runs every variation, then the qualities that a scene can name; a diagram and a number for each."""
-    plot = report.plot("Speed against error: %s" % trial.name, "processor s per simulated ms", "size of the error (%s)" % trial.unit,
-                       x_log=True, y_log=True)
+    plot = report.plot("Speed against error: %s" % trial.name, "processor s per simulated ms",
+                       "size of the error (%s)" % trial.unit, x_log=True, y_log=True)
     known = {}
     trial.prepare(report)
 
