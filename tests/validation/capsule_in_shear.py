@@ -34,6 +34,7 @@ _TRANSIENT = {0.3: (0.2045, 0.3123, 0.3585, 0.3752, 0.3812), 0.6: (0.2227, 0.368
 _TIMES = (0.5, 1.0, 1.5, 2.0, 3.0)
 
 _REFERENCE_LOW = "an independent boundary integral gives the D computed here, not the published one; cause not known"
+_TIPS = "3.04 %: between both yardsticks; 2 points at the pointed tips, where 4 points at the vertices are 1.1 % low"
 _WIDE_KERNEL = "second order in the width of the kernel over the radius (C3)"
 
 
@@ -46,9 +47,10 @@ def run(report):
         ours = shear_capsule(report, "ca%g" % capillary, capillary, strain, box=(10, 10, 10), kernel=2)
         steady = ours.mean(ours.deformation, 0.9 * strain)
         unbounded = yardstick[-1][1]
-        report.compare("D, %s, against the boundary integral" % name, steady, unbounded, relative=0.03)
+        report.compare("D, %s, against the boundary integral" % name, steady, unbounded, relative=0.03,
+                       known_failure=_TIPS if capillary > 0.5 else "")
         report.compare("D, %s, against %s" % (name, author), steady, published, relative=0.03,
-                       known_failure=_REFERENCE_LOW)
+                       known_failure=_REFERENCE_LOW if capillary < 0.5 else "")
         report.compare("inclination, %s, against Huet & Wachs" % name, ours.mean(ours.inclination, 0.9 * strain), angle,
                        absolute=2, unit="deg")
         if capillary in _TRANSIENT:

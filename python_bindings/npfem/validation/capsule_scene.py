@@ -34,7 +34,8 @@ def shear_capsule(report, name, capillary_number, strain, radius=8, box=(8, 8, 8
     """Runs it; returns a CapsuleRun.
 
     `radius`: in nodes; `box`: in radii; capillary number mu gdot a / G_s; Reynolds number gdot a^2 / nu;
-    `relaxation_time`: tau of the lattice, which sets the time step; `inset`: None for the kernel's own; `bending`: kappa_b / (G_s a^2);
+    `relaxation_time`: tau of the lattice, which sets the time step; `inset`: None for the kernel's own; `bending`:
+    kappa_b / (G_s a^2);
     `parameters`: further ones of the material.
     """
     viscosity = _VISCOSITY / _DENSITY

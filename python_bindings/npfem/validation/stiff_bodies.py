@@ -71,5 +71,6 @@ def scene_in_shear(box, shear_rate, duration, kernel=4, lines=100, inset=0):
     """
     centre = [0.5 * n + 0.21 for n in box]
     tolerance = 0.1 * shear_rate  # 1e-4 of the force that the flow exerts on 1 um2
-    return _SCENE % (*box, TAU, shear_rate, *centre, kernel, "" if inset is None else "inset = %g" % inset, tolerance, duration / shear_rate / lines,
+    markers = "" if inset is None else "inset = %g" % inset
+    return _SCENE % (*box, TAU, shear_rate, *centre, kernel, markers, tolerance, duration / shear_rate / lines,
                      duration / shear_rate)
