@@ -18,8 +18,9 @@ void add_to(double* values, std::size_t vertex, const Vec3& v) {
   for (std::size_t c = 0; c < 3; ++c) values[3 * vertex + c] += v[c];
 }
 
-/// The layer over a triangle that has nearly vanished does not grow beyond all bounds.
-constexpr double most_swelling = 2;
+/// Where a vertex has lost more of its area than this, at the tip of a crease, markers follow the area vector itself:
+/// offset and its rates stay bounded however small that becomes.
+constexpr double most_swelling = 1.5;
 
 struct Corners {
   std::size_t i, j, k;
@@ -82,8 +83,7 @@ std::span<const double> SurfaceInset::place(std::span<const VertexId> vertices, 
   if (depth_ == 0) return markers_;
   positions_ = markers_;
   normals_.assign(positions.size(), 0.0);
-  per_area_.resize(vertices.size());
-  swelling_.resize(vertices.size());
+  per_square_.resize(vertices.size());
   for (std::vector<double>* scratch : {&term_, &next_, &along_}) scratch->resize(positions.size());
   list_bodies(vertices);
   for_each([this](const Body& body) { place(body); });
@@ -94,22 +94,20 @@ void SurfaceInset::place(const Body& body) {
   double* const normal = &normals_[3 * body.first];
   sum_areas(triangles(body), &positions_[3 * body.first], normal);
   for (std::size_t v = 0; v < body.count; ++v) {
-    const double area = norm(at(normal, v));
-    const double per_area = area > 0 ? 1 / area : 0;
-    per_area_[body.first + v] = per_area;
-    swelling_[body.first + v] = std::min(rest_area_[body.type][v] * per_area, most_swelling);
-    put(normal, v, scale(per_area, at(normal, v)));
-    add_to(&markers_[3 * body.first], v, scale(-depth_ * swelling_[body.first + v], at(normal, v)));
+    const double area = norm(at(normal, v)), rest = rest_area_[body.type][v];
+    const bool creased = most_swelling * area < rest;
+    const double per_square = creased ? most_swelling * most_swelling / rest : rest / (area * area);
+    add_to(&markers_[3 * body.first], v, scale(-depth_ * per_square, at(normal, v)));
+    put(normal, v, creased ? Vec3{} : scale(1 / area, at(normal, v)));
+    per_square_[body.first + v] = per_square;
   }
 }
 
-/// dm of a vertex whose area vector (along n, of length S) changes: (S0/S^2)(1 - 2 n n) dS, and without the part along
-/// the normal where the layer swells no further. A symmetric matrix.
+/// dm of a vertex whose area vector (along n, of length S) changes: (S0/S^2)(1 - 2 n n) dS, a symmetric matrix. Creased
+/// vertices have no n.
 Vec3 SurfaceInset::rate_of_offset(std::size_t vertex, const Vec3& change_of_area) const {
   const Vec3 n = at(normals_.data(), vertex);
-  const double along = swelling_[vertex] < most_swelling ? 2 : 1;
-  return scale(swelling_[vertex] * per_area_[vertex],
-               subtract(change_of_area, scale(along * dot(n, change_of_area), n)));
+  return scale(per_square_[vertex], subtract(change_of_area, scale(2 * dot(n, change_of_area), n)));
 }
 
 /// N v.

@@ -22,9 +22,10 @@ double kernel_excess(int kernel_points);
 /// velocity has its kink; to the fluid outside it seems to stand farther out by a fixed part of the node spacing
 /// (kernel_excess). The coupling therefore acts at markers
 ///   Y_i = x_i - d m_i,   m_i = n_i S0_i/S_i,
-/// d that excess, n_i the unit normal at the vertex and S_i the area around it, S0_i in the shape of its type: the layer
-/// between markers and surface keeps its volume, as the fluid inside the markers does. Markers move with the fluid:
-/// u(Y) = dY/dt = (1 - d N) v with N = dm/dx, so that
+/// d that excess, n_i the unit normal at the vertex and S_i the area around it, S0_i in the shape of its type: the
+/// layer between markers and surface keeps its volume, as the fluid inside the markers does. (At creases, where S is
+/// below two thirds of S0, m follows the area vector itself and stays below 1.5.) Markers move with the fluid: u(Y) =
+/// dY/dt = (1 - d N) v with N = dm/dx, so that
 ///   v = (1 - d N)^-1 u(Y),   force at Y = (1 - d N)^-T (force at x).
 /// The pair is adjoint and so adds no energy; the total force and rigid motions pass unchanged. The inverse is summed
 /// to third order in d over the lengths on which the surface bends.
@@ -65,8 +66,7 @@ class SurfaceInset {
   std::vector<Body> bodies_;
   std::vector<std::vector<double>> rest_area_;  // by type and vertex: S0, six times the vertex's share, um2
   std::vector<double> positions_, markers_, normals_;
-  std::vector<double> per_area_;  // 1/S by vertex, 1/um2; 0: no normal
-  std::vector<double> swelling_;  // S0/S by vertex, at most `most_swelling`
+  std::vector<double> per_square_;  // S0/S^2 by vertex, 1/um2
   std::vector<double> term_, next_, along_;
 };
 

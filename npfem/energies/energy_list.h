@@ -68,9 +68,9 @@ TypeList<As..., Bs...> joined(TypeList<As...>, TypeList<Bs...>);
 // The energies of the library. A new one is a header and one word here.
 
 /// Laws of a membrane of triangles: those on one triangle share its strain.
-using MembraneEnergies =
-    TypeList<Membrane<Skalak>, Membrane<NeoHookean>, Membrane<Yeoh>, Membrane<LineageSurfaceMaterial>,
-             Membrane<LineageArea>, Membrane<LocalArea>, Membrane<CollapseBarrier>, Membrane<TriangleStrainLimit>, Membrane<TriangleArap>>;
+using MembraneEnergies = TypeList<Membrane<Skalak>, Membrane<NeoHookean>, Membrane<Yeoh>,
+                                  Membrane<LineageSurfaceMaterial>, Membrane<LineageArea>, Membrane<LocalArea>,
+                                  Membrane<CollapseBarrier>, Membrane<TriangleStrainLimit>, Membrane<TriangleArap>>;
 
 /// Other energies of a fixed number of vertices; each element stands alone.
 using LoneElementEnergies =

@@ -31,7 +31,8 @@ constexpr ParamInfo number_table[] = {
      "local area, form smooth: K_L of (K_L/2)(J - 1)^2; form lineage: its weight, twice the small-strain area modulus; "
      "0 leaves it out"},
     {"collapse_modulus", Dimension::surface_modulus(), 0, largest, 0,
-     "K of K (0.4 - J)^3/J on triangles below 0.4 of their rest area, so that none vanishes in strong flow; 0 leaves it "
+     "K of K (0.4 - J)^3/J on triangles below 0.4 of their rest area, so that none vanishes in strong flow; 0 leaves "
+     "it "
      "out"},
     {"global_area_modulus", Dimension::surface_modulus(), 0, largest, 0,
      "k_A of (k_A/2)(A - A0)^2/A0 on the whole area; 0 leaves it out"},

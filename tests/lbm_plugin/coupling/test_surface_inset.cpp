@@ -165,6 +165,32 @@ TEST_F(SurfaceInsetOfTwoCapsules, MarkersMovedGiveBackTheVelocityOfTheVertices) 
   EXPECT_LT(largest_difference(rate, velocity), 0.008) << "most is left at the twelve five-fold vertices";
 }
 
+TEST_F(SurfaceInsetOfTwoCapsules, CreasedVerticesMoveNothingBeyondBounds) {
+  // A vertex pushed in until the area vectors around it cancel, as at the tip of a spike.
+  const Vec3 centre = setup_.cells[0].centre;
+  const std::vector<std::int32_t>& triangles = setup_.types[0].triangles;
+  SurfaceInset inset(setup_, depth);
+  std::vector<double> positions = positions_;
+  for (std::size_t t = 0; t < triangles.size(); t += 3) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto v = static_cast<std::size_t>(triangles[t + k]);
+      const bool near = triangles[t] == 0 || triangles[t + 1] == 0 || triangles[t + 2] == 0;
+      if (!near || v == 0) continue;
+      const Vec3 axis = subtract(at(positions_, 0), centre), away = subtract(at(positions_, v), at(positions_, 0));
+      const Vec3 side = subtract(away, scale(dot(away, axis) / dot(axis, axis), axis));
+      for (std::size_t c = 0; c < 3; ++c)
+        positions[3 * v + c] = positions_[c] - 0.6 * axis[c] / norm(axis) + 1e-4 * side[c];
+    }
+  }
+  place(inset, positions);
+  std::vector<double> velocity = noise(4), force = noise(5);
+  inset.to_vertices(velocity);
+  inset.to_markers(force);
+  for (const std::vector<double>* values : {&velocity, &force}) {
+    for (const double x : *values) ASSERT_LT(std::abs(x), 30);
+  }
+}
+
 TEST(KernelExcess, GrowsWithTheKernel) {
   EXPECT_LT(kernel_excess(2), kernel_excess(3));
   EXPECT_LT(kernel_excess(3), kernel_excess(4));

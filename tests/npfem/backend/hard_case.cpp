@@ -43,7 +43,8 @@ class Table : public ::testing::Environment {
              "(`global_area_modulus`) can hold triangles that have lost their own: area is the length of a\n"
              "vector, which has no slope at zero, so the minimum lies on a kink where no residual force\n"
              "vanishes. Scrambled vertices make such triangles, and so do 1000 pN where the neck behind a bead\n"
-             "closes and the tips of cells in strong shear. The stretched cell is shown on its symmetric branch: with a disturbance of\n"
+             "closes and the tips of cells in strong shear. The stretched cell is shown on its symmetric branch: with "
+             "a disturbance of\n"
              "0.02 um it leaves it at 550 pN, and the neck closes at about 650 pN. The tweezers experiment\n"
              "ends at 200 pN.\n";
     }
