@@ -13,7 +13,8 @@
 namespace npfem::flow {
 
 /// By how much a sphere drags like a larger one, in node spacings, with the kernel of 2, 3 or 4 points: measured in
-/// boxes of 8 to 20 radii at radii of 3 to 8 nodes, where it is the same within 0.02 (docs/validation.md).
+/// a box of 8 radii at a radius of 4 nodes; with 4 points the same within 0.03 at 3 to 8 nodes and 10 to 20 radii
+/// (I2B).
 double kernel_excess(int kernel_points);
 
 /// Where membranes meet the lattice, so that they drag as if they stood where their vertices are.

@@ -32,8 +32,7 @@ constexpr ParamInfo number_table[] = {
      "0 leaves it out"},
     {"collapse_modulus", Dimension::surface_modulus(), 0, largest, 0,
      "K of K (0.4 - J)^3/J on triangles below 0.4 of their rest area, so that none vanishes in strong flow; 0 leaves "
-     "it "
-     "out"},
+     "it out"},
     {"global_area_modulus", Dimension::surface_modulus(), 0, largest, 0,
      "k_A of (k_A/2)(A - A0)^2/A0 on the whole area; 0 leaves it out"},
     {"global_volume_modulus", Dimension::stress(), 0, largest, 0,

@@ -46,6 +46,12 @@ double least_distance_from_the_end(const CellState& cell, const Domain& domain) 
   return least;
 }
 
+double fastest_component(const CellState& cell) {
+  double most = 0;
+  for (const double v : cell.velocity) most = std::max(most, std::abs(v));
+  return most;
+}
+
 /// The largest force on the nodes next to the outlet; there is no body force.
 double force_on_the_last_nodes(const Lattice& lattice) {
   double largest = 0;
@@ -94,7 +100,10 @@ TEST_P(LeavingCells, GoOneByOneUntilNoneIsLeft) {
       EXPECT_EQ(left.face, Face::z_high);
       const CellState& cell = before.at(left.id);
       EXPECT_EQ(left.type, cell.type);
-      EXPECT_LT(least_distance_from_the_end(cell, setup.domain), 2.5 + 0.2 * GetParam().every);
+      // It left in the first solve that it could: no vertex has come nearer than it moves between two, with a
+      // twentieth for what the flow changes meanwhile.
+      const double way = 1.05 * fastest_component(cell) * setup.time_step * GetParam().every;
+      EXPECT_LT(least_distance_from_the_end(cell, setup.domain), 2.5 + way);
       EXPECT_NEAR(left.volume, cell.volume, 0.02 * cell.volume);
     }
     EXPECT_EQ(simulation.cell_count(), 4 - static_cast<int>(known));
