@@ -128,7 +128,7 @@ void save_centres(const CellPopulation& population, const std::vector<CellStart>
     const std::size_t vertices = population.vertices_of(cell.type);
     Vec3 centre{};
     for (std::size_t v = cell.first_vertex; v < cell.first_vertex + vertices; ++v) {
-      centre = add(centre, {xyz[3 * v], xyz[3 * v + 1], xyz[3 * v + 2]});
+      centre = add(centre, vector_at(xyz, v));
     }
     centre = scale(1.0 / static_cast<double>(vertices), centre);
     words.push_back({word_of(centre[0]), word_of(centre[1]), word_of(centre[2])});

@@ -24,16 +24,13 @@ struct BoundedTriangle {
   double radius;
 };
 
-Vec3 vertex(const CellSurface& cell, std::size_t v) {
-  return {cell.positions[3 * v], cell.positions[3 * v + 1], cell.positions[3 * v + 2]};
-}
-
 std::vector<BoundedTriangle> triangles_of(const CellSurface& cell, std::span<const std::int32_t> ids) {
   std::vector<BoundedTriangle> triangles;
   triangles.reserve(ids.size() / 3);
   for (std::size_t t = 0; t < ids.size(); t += 3) {
     BoundedTriangle triangle{};
-    for (std::size_t i = 0; i < 3; ++i) triangle.corner[i] = vertex(cell, static_cast<std::size_t>(ids[t + i]));
+    for (std::size_t i = 0; i < 3; ++i)
+      triangle.corner[i] = vector_at(cell.positions, static_cast<std::size_t>(ids[t + i]));
     const auto& [a, b, c] = triangle.corner;
     triangle.centre = scale(1.0 / 3.0, add(a, add(b, c)));
     for (const Vec3& corner : triangle.corner) {
@@ -95,8 +92,8 @@ double signed_distance(const Vec3& point, const Target& target, double best) {
     its_apart = apart;
   }
   if (its_triangle == target.triangles.size()) return best;
-  const Vec3 outward = target.surface.outward(its_triangle, its_weight,
-                                              [&](auto v) { return vertex(target.cell, static_cast<std::size_t>(v)); });
+  const Vec3 outward = target.surface.outward(
+      its_triangle, its_weight, [&](auto v) { return vector_at(target.cell.positions, static_cast<std::size_t>(v)); });
   const bool behind = dot(its_apart, outward) < 0;
   const bool inside = behind && contains(target.bounds, point, 0) && winds_round(point, target.triangles);
   return inside ? -nearest : std::min(nearest, best);
@@ -105,7 +102,7 @@ double signed_distance(const Vec3& point, const Target& target, double best) {
 /// From the vertices of `cell`, moved by -shift, to the surface; `best` where none is nearer.
 double nearest(const CellSurface& cell, const Vec3& shift, const Target& target, double best) {
   for (std::size_t v = 0; v < cell.positions.size() / 3; ++v) {
-    const Vec3 point = subtract(vertex(cell, v), shift);
+    const Vec3 point = subtract(vector_at(cell.positions, v), shift);
     if (!contains(target.bounds, point, std::max(best, 0.0))) continue;
     best = std::min(best, signed_distance(point, target, best));
   }
@@ -192,7 +189,7 @@ double smallest_wall_gap(const Domain& domain, Communicator& communicator, std::
   double best = kInfinity;
   for (const CellSurface& cell : own) {
     for (std::size_t v = 0; v < cell.positions.size() / 3; ++v) {
-      best = std::min(best, domain.wall_distance(vertex(cell, v)).distance);
+      best = std::min(best, domain.wall_distance(vector_at(cell.positions, v)).distance);
     }
   }
   return smallest(communicator, best);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "geometry/vec3.h"
 #include "immersed_boundary/stencil.h"
 
 namespace npfem::flow {
@@ -40,9 +41,7 @@ class VerticesByNode {
   }
 
  private:
-  Vec3 position(std::size_t v) const {
-    return {known_.in_nodes[3 * v], known_.in_nodes[3 * v + 1], known_.in_nodes[3 * v + 2]};
-  }
+  Vec3 position(std::size_t v) const { return vector_at(known_.in_nodes, v); }
 
   bool is_near(std::size_t a, std::size_t b) const {
     Vec3 apart = subtract(position(a), position(b));
@@ -67,7 +66,7 @@ std::vector<double> crowded_vertices(const KnownVertices& known, const Decomposi
   std::vector<double> crowded;
   for (const int held : known.held) {
     const auto v = static_cast<std::size_t>(held);
-    const Vec3 position{known.position[3 * v], known.position[3 * v + 1], known.position[3 * v + 2]};
+    const Vec3 position = vector_at(known.position, v);
     const bool at_wall = has_walls && domain.wall_distance(position).distance <= domain.dx;
     crowded.push_back(at_wall || vertices.has_foreign_near(v) ? 1 : 0);
   }

@@ -65,6 +65,17 @@ void add_fluid_limits(std::vector<Limit>& limits, double tau, double ratio) {
   }
 }
 
+void add_contact_limit(std::vector<Limit>& limits, const Setup& setup, std::optional<double> shear_rate) {
+  const ContactLaw& law = setup.contact.cells;
+  if (!law.active() || law.strength == 0) return;
+  if (shear_rate) *shear_rate *= setup.density * setup.kinematic_viscosity / law.strength;
+  limits.push_back(judged_if_known(
+      "contact", "viscous stress of the imposed flow over the pressure between two cells at touch (contact.strength)",
+      shear_rate, 0.04, 0.1,
+      {"contacts keep cells apart", "cells may overlap by a fraction of the range for moments; a larger strength helps",
+       "the flow presses cells into each other; raise contact.strength"}));
+}
+
 void add_cell_limits(std::vector<Limit>& limits, const Setup& setup, const Units& units, const CellType& type) {
   const double delta = setup.coupling.steps_per_solve * setup.time_step;
   const double layer = ambient_layer(setup.coupling.kernel_points, units, setup.kinematic_viscosity, delta);
@@ -108,6 +119,7 @@ std::vector<Limit> accuracy_limits(const Setup& setup, std::optional<double> spe
   const double tau = units.relaxation_time(setup.kinematic_viscosity);
   add_fluid_limits(limits, tau, interior_viscosity_ratio(setup));
   add_flow_limits(limits, units, tau, speed, shear_rate);
+  if (!setup.types.empty()) add_contact_limit(limits, setup, shear_rate);
   for (const CellType& type : setup.types) add_cell_limits(limits, setup, units, type);
   return limits;
 }

@@ -3,14 +3,11 @@
 
 #include <algorithm>
 
+#include "geometry/vec3.h"
 #include "immersed_boundary/stencil.h"
 
 namespace npfem::flow {
 namespace {
-
-Vec3 vector_at(std::span<const double> xyz, std::size_t v) {
-  return {xyz[3 * v], xyz[3 * v + 1], xyz[3 * v + 2]};
-}
 
 Vec3 times(const SymmetricTensor& t, const Vec3& n) {
   return {t[0] * n[0] + t[3] * n[1] + t[4] * n[2], t[3] * n[0] + t[1] * n[1] + t[5] * n[2],

@@ -8,16 +8,6 @@
 namespace npfem::flow {
 namespace {
 
-Vec3 at(const double* values, std::size_t vertex) {
-  return {values[3 * vertex], values[3 * vertex + 1], values[3 * vertex + 2]};
-}
-void put(double* values, std::size_t vertex, const Vec3& v) {
-  for (std::size_t c = 0; c < 3; ++c) values[3 * vertex + c] = v[c];
-}
-void add_to(double* values, std::size_t vertex, const Vec3& v) {
-  for (std::size_t c = 0; c < 3; ++c) values[3 * vertex + c] += v[c];
-}
-
 /// Where a vertex has lost more of its area than this, at the tip of a crease, markers follow the area vector itself:
 /// offset and its rates stay bounded however small that becomes.
 constexpr double most_swelling = 1.5;
@@ -34,8 +24,8 @@ Corners corners(const std::vector<std::int32_t>& triangles, std::size_t t) {
 void sum_areas(const std::vector<std::int32_t>& triangles, const double* x, double* sums) {
   for (std::size_t t = 0; t + 2 < triangles.size(); t += 3) {
     const auto [i, j, k] = corners(triangles, t);
-    const Vec3 area = cross(subtract(at(x, j), at(x, i)), subtract(at(x, k), at(x, i)));
-    for (const std::size_t v : {i, j, k}) add_to(sums, v, area);
+    const Vec3 area = cross(subtract(vector_at(x, j), vector_at(x, i)), subtract(vector_at(x, k), vector_at(x, i)));
+    for (const std::size_t v : {i, j, k}) add_vector(sums, v, area);
   }
 }
 
@@ -59,7 +49,7 @@ SurfaceInset::SurfaceInset(const Setup& setup, double depth) : setup_(setup), de
     std::vector<double> sums(type.shape.size(), 0.0);
     sum_areas(type.triangles, type.shape.data(), sums.data());
     std::vector<double>& areas = rest_area_.emplace_back();
-    for (std::size_t v = 0; v < sums.size() / 3; ++v) areas.push_back(norm(at(sums.data(), v)));
+    for (std::size_t v = 0; v < sums.size() / 3; ++v) areas.push_back(norm(vector_at(sums.data(), v)));
   }
 }
 
@@ -94,11 +84,11 @@ void SurfaceInset::place(const Body& body) {
   double* const normal = &normals_[3 * body.first];
   sum_areas(triangles(body), &positions_[3 * body.first], normal);
   for (std::size_t v = 0; v < body.count; ++v) {
-    const double area = norm(at(normal, v)), rest = rest_area_[body.type][v];
+    const double area = norm(vector_at(normal, v)), rest = rest_area_[body.type][v];
     const bool creased = most_swelling * area < rest;
     const double per_square = creased ? most_swelling * most_swelling / rest : rest / (area * area);
-    add_to(&markers_[3 * body.first], v, scale(-depth_ * per_square, at(normal, v)));
-    put(normal, v, creased ? Vec3{} : scale(1 / area, at(normal, v)));
+    add_vector(&markers_[3 * body.first], v, scale(-depth_ * per_square, vector_at(normal, v)));
+    set_vector(normal, v, creased ? Vec3{} : scale(1 / area, vector_at(normal, v)));
     per_square_[body.first + v] = per_square;
   }
 }
@@ -106,7 +96,7 @@ void SurfaceInset::place(const Body& body) {
 /// dm of a vertex whose area vector (along n, of length S) changes: (S0/S^2)(1 - 2 n n) dS, a symmetric matrix. Creased
 /// vertices have no n.
 Vec3 SurfaceInset::rate_of_offset(std::size_t vertex, const Vec3& change_of_area) const {
-  const Vec3 n = at(normals_.data(), vertex);
+  const Vec3 n = vector_at(normals_.data(), vertex);
   return scale(per_square_[vertex], subtract(change_of_area, scale(2 * dot(n, change_of_area), n)));
 }
 
@@ -117,29 +107,31 @@ void SurfaceInset::turn_offsets(const Body& body, const double* velocity, double
   const std::vector<std::int32_t>& all = triangles(body);
   for (std::size_t t = 0; t + 2 < all.size(); t += 3) {
     const auto [i, j, k] = corners(all, t);
-    const Vec3 e1 = subtract(at(x, j), at(x, i)), e2 = subtract(at(x, k), at(x, i));
-    const Vec3 w1 = subtract(at(velocity, j), at(velocity, i)), w2 = subtract(at(velocity, k), at(velocity, i));
+    const Vec3 e1 = subtract(vector_at(x, j), vector_at(x, i)), e2 = subtract(vector_at(x, k), vector_at(x, i));
+    const Vec3 w1 = subtract(vector_at(velocity, j), vector_at(velocity, i)),
+               w2 = subtract(vector_at(velocity, k), vector_at(velocity, i));
     const Vec3 change = add(cross(w1, e2), cross(e1, w2));
-    for (const std::size_t v : {i, j, k}) add_to(rate, v, change);
+    for (const std::size_t v : {i, j, k}) add_vector(rate, v, change);
   }
-  for (std::size_t v = 0; v < body.count; ++v) put(rate, v, rate_of_offset(body.first + v, at(rate, v)));
+  for (std::size_t v = 0; v < body.count; ++v) set_vector(rate, v, rate_of_offset(body.first + v, vector_at(rate, v)));
 }
 
 /// N^T m.
 void SurfaceInset::turn_offsets_transposed(const Body& body, const double* moment, double* force) {
   const double* const x = &positions_[3 * body.first];
   double* const along = &along_[3 * body.first];
-  for (std::size_t v = 0; v < body.count; ++v) put(along, v, rate_of_offset(body.first + v, at(moment, v)));
+  for (std::size_t v = 0; v < body.count; ++v)
+    set_vector(along, v, rate_of_offset(body.first + v, vector_at(moment, v)));
   std::fill(force, force + 3 * body.count, 0.0);
   const std::vector<std::int32_t>& all = triangles(body);
   for (std::size_t t = 0; t + 2 < all.size(); t += 3) {
     const auto [i, j, k] = corners(all, t);
-    const Vec3 e1 = subtract(at(x, j), at(x, i)), e2 = subtract(at(x, k), at(x, i));
-    const Vec3 m = add(at(along, i), add(at(along, j), at(along, k)));
+    const Vec3 e1 = subtract(vector_at(x, j), vector_at(x, i)), e2 = subtract(vector_at(x, k), vector_at(x, i));
+    const Vec3 m = add(vector_at(along, i), add(vector_at(along, j), vector_at(along, k)));
     const Vec3 on_j = cross(e2, m), on_k = cross(m, e1);
-    add_to(force, j, on_j);
-    add_to(force, k, on_k);
-    add_to(force, i, scale(-1, add(on_j, on_k)));
+    add_vector(force, j, on_j);
+    add_vector(force, k, on_k);
+    add_vector(force, i, scale(-1, add(on_j, on_k)));
   }
 }
 

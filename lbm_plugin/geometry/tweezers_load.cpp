@@ -16,7 +16,7 @@ std::vector<double> tweezers_load(std::span<const double> shape, double force, d
   const double half_way = 0.25 * (box.high[0] - box.low[0]);
   std::array<std::vector<std::size_t>, 2> ends;
   for (std::size_t v = 0; v < shape.size() / 3; ++v) {
-    const Vec3 at = subtract({shape[3 * v], shape[3 * v + 1], shape[3 * v + 2]}, middle);
+    const Vec3 at = subtract(vector_at(shape, v), middle);
     const bool in_disc = std::hypot(at[1], at[2]) <= 0.5 * contact_width * (1 + 1e-9);
     if (in_disc && std::abs(at[0]) > half_way) ends[at[0] > 0 ? 1 : 0].push_back(v);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MPL-2.0
-// Three numbers as a vector, nine (row-major) as a rotation: the little algebra that placing cells needs.
+// Three numbers as a vector, nine (row-major) as a rotation: the little algebra that cells among nodes need.
 #pragma once
 
 #include <array>
@@ -30,6 +30,20 @@ constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
 }
 inline double norm(const Vec3& a) {
   return std::sqrt(dot(a, a));
+}
+
+/// Number i of vectors that lie one after the other, xyzxyz...
+template <class Values>
+constexpr Vec3 vector_at(const Values& xyz, std::size_t i) {
+  return {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]};
+}
+template <class Values>
+constexpr void set_vector(Values&& xyz, std::size_t i, const Vec3& v) {
+  for (std::size_t c = 0; c < 3; ++c) xyz[3 * i + c] = v[c];
+}
+template <class Values>
+constexpr void add_vector(Values&& xyz, std::size_t i, const Vec3& v) {
+  for (std::size_t c = 0; c < 3; ++c) xyz[3 * i + c] += v[c];
 }
 
 /// R a

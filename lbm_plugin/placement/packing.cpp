@@ -9,13 +9,9 @@
 namespace npfem::flow {
 namespace {
 
-Vec3 vertex(std::span<const double> xyz, std::size_t v) {
-  return {xyz[3 * v], xyz[3 * v + 1], xyz[3 * v + 2]};
-}
-
 double radius_about_origin(std::span<const double> xyz) {
   double square = 0;
-  for (std::size_t v = 0; v < xyz.size() / 3; ++v) square = std::max(square, dot(vertex(xyz, v), vertex(xyz, v)));
+  for (std::size_t v = 0; v < xyz.size() / 3; ++v) square = std::max(square, dot(vector_at(xyz, v), vector_at(xyz, v)));
   return std::sqrt(square);
 }
 
@@ -43,7 +39,7 @@ bool Packing::too_near_wall(const RigidCell& cell, double gap) const {
   if (domain_.distance_for_cells(cell.centre).distance >= shape(cell).radius * cell.size + required) return false;
   const std::span<const double> xyz = shape(cell).xyz;
   for (std::size_t v = 0; v < xyz.size() / 3; ++v) {
-    const Vec3 position = add(cell.centre, rotate(cell.rotation, scale(cell.size, vertex(xyz, v))));
+    const Vec3 position = add(cell.centre, rotate(cell.rotation, scale(cell.size, vector_at(xyz, v))));
     if (!(domain_.distance_for_cells(position).distance >= required)) return true;
   }
   return false;
@@ -96,7 +92,7 @@ bool Packing::vertex_too_near(const RigidCell& a, const RigidCell& b, double gap
   const double reach_squared = (reach / b.size) * (reach / b.size);
   const std::span<const double> xyz = shape(a).xyz;
   for (std::size_t v = 0; v < xyz.size() / 3; ++v) {
-    const Vec3 position = add(apart, scale(ratio, rotate(turn, vertex(xyz, v))));
+    const Vec3 position = add(apart, scale(ratio, rotate(turn, vector_at(xyz, v))));
     if (dot(position, position) >= reach_squared) continue;
     if (shape(b).distance.at(position) * b.size < required) return true;
   }

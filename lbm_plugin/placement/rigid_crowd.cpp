@@ -17,26 +17,22 @@ constexpr double first_mixing = 0.1, mixing_decay = 0.99, growth = 1.1, cut = 0.
 constexpr int patience = 5;
 constexpr double longest_move = 0.08;  // in one step, in radii
 
-Vec3 vertex(std::span<const double> xyz, std::size_t v) {
-  return {xyz[3 * v], xyz[3 * v + 1], xyz[3 * v + 2]};
-}
-
 /// The vertices and the middles of the edges: two rims may cross, edge through edge, without a vertex inside either.
 SurfacePoints points_of(const CellType& type) {
   SurfacePoints points{type.shape, std::vector<double>(type.shape.size() / 3, 0.0)};
   std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> middle;
   for (std::size_t t = 0; t < type.triangles.size(); t += 3) {
     const std::int32_t* const corner = &type.triangles[t];
-    const Vec3 a = vertex(type.shape, static_cast<std::size_t>(corner[0]));
-    const Vec3 b = vertex(type.shape, static_cast<std::size_t>(corner[1]));
-    const Vec3 c = vertex(type.shape, static_cast<std::size_t>(corner[2]));
+    const Vec3 a = vector_at(type.shape, static_cast<std::size_t>(corner[0]));
+    const Vec3 b = vector_at(type.shape, static_cast<std::size_t>(corner[1]));
+    const Vec3 c = vector_at(type.shape, static_cast<std::size_t>(corner[2]));
     const double sixth = norm(cross(subtract(b, a), subtract(c, a))) / 12;
     for (std::size_t side = 0; side < 3; ++side) {
       const auto [first, second] = std::minmax(corner[side], corner[(side + 1) % 3]);
       const auto [entry, is_new] = middle.try_emplace({first, second}, points.area.size());
       if (is_new) {
-        const Vec3 at = scale(0.5, add(vertex(type.shape, static_cast<std::size_t>(first)),
-                                       vertex(type.shape, static_cast<std::size_t>(second))));
+        const Vec3 at = scale(0.5, add(vector_at(type.shape, static_cast<std::size_t>(first)),
+                                       vector_at(type.shape, static_cast<std::size_t>(second))));
         points.xyz.insert(points.xyz.end(), at.begin(), at.end());
         points.area.push_back(0);
       }
@@ -61,8 +57,8 @@ RigidCrowd::RigidCrowd(const Domain& domain, std::span<const CellType> types, st
     Bounds box;
     double radius = 0, whole_area = 0;
     for (std::size_t v = 0; v < type.shape.size() / 3; ++v) {
-      box.include(vertex(type.shape, v));
-      radius = std::max(radius, norm(vertex(type.shape, v)));
+      box.include(vector_at(type.shape, v));
+      radius = std::max(radius, norm(vector_at(type.shape, v)));
     }
     SurfacePoints points = points_of(type);
     for (const double area : points.area) whole_area += area;
@@ -145,7 +141,7 @@ std::vector<double> RigidCrowd::points_of_cell(std::size_t cell) const {
   const std::vector<double>& xyz = shape(cell).points.xyz;
   std::vector<double> placed(xyz.size());
   for (std::size_t p = 0; p < xyz.size() / 3; ++p) {
-    const Vec3 at = add(cells_[cell].centre, rotate(cells_[cell].rotation, vertex(xyz, p)));
+    const Vec3 at = add(cells_[cell].centre, rotate(cells_[cell].rotation, vector_at(xyz, p)));
     std::copy(at.begin(), at.end(), placed.begin() + static_cast<std::ptrdiff_t>(3 * p));
   }
   return placed;
@@ -158,7 +154,7 @@ void RigidCrowd::place_points() {
     const auto c = static_cast<std::size_t>(n);
     xyz_[c] = points_of_cell(c);
     boxes_[c] = {};
-    for (std::size_t v = 0; v < xyz_[c].size() / 3; ++v) boxes_[c].include(vertex(xyz_[c], v));
+    for (std::size_t v = 0; v < xyz_[c].size() / 3; ++v) boxes_[c].include(vector_at(xyz_[c], v));
   }
 }
 
@@ -206,7 +202,7 @@ void RigidCrowd::push(std::size_t a, std::size_t b, const Vec3& shift, Load& on_
   const Vec3 apart = subtract(cells_[a].centre, centre);
   const Vec3 away = norm(apart) > 0 ? scale(1 / norm(apart), apart) : Vec3{0, 0, 1};
   for (std::size_t v = 0; v < mine.points.area.size(); ++v) {
-    const Vec3 at = vertex(xyz_[a], v);
+    const Vec3 at = vector_at(xyz_[a], v);
     if (!box.is_near({at, at}, gap_)) continue;
     const Vec3 inside = rotate_back(cells_[b].rotation, subtract(at, centre));
     const double missing = gap_ - other.distance.at(inside);
@@ -232,7 +228,7 @@ void RigidCrowd::push_from_wall(std::size_t cell) {
   const Shape& its = shape(cell);
   if (!(domain_.wall_distance(cells_[cell].centre).distance < its.radius + gap_)) return;
   for (std::size_t v = 0; v < its.points.area.size(); ++v) {
-    const Vec3 at = vertex(xyz_[cell], v);
+    const Vec3 at = vector_at(xyz_[cell], v);
     const WallDistance wall = domain_.wall_distance(at);
     const double missing = gap_ - wall.distance;
     if (!(missing > 0)) continue;

@@ -7,7 +7,7 @@ namespace npfem::flow {
 namespace {
 
 Vec3 row(const Rotation& m, std::size_t i) {
-  return {m[3 * i], m[3 * i + 1], m[3 * i + 2]};
+  return vector_at(m, i);
 }
 
 /// Of the cofactors: det(m) m^-T.

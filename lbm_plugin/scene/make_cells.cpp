@@ -152,7 +152,7 @@ std::string at_place(const Vec3& p) {
 void require_inside(const Scene& scene, const CellStart& cell, int number) {
   const Domain& domain = scene.setup.domain;
   for (std::size_t v = 0; v < cell.positions.size() / 3; ++v) {
-    const Vec3 point{cell.positions[3 * v], cell.positions[3 * v + 1], cell.positions[3 * v + 2]};
+    const Vec3 point = vector_at(cell.positions, v);
     if (domain.distance_for_cells(point).distance > 0) continue;
     scene.document.root()
         .table("placement")

@@ -13,6 +13,14 @@ using text::Table;
 
 constexpr const char* wall_name = "wall";
 
+/// Flow presses cells onto each other with some times its viscous stress, which contacts must bear within a part of
+/// their range; stiffer ones than need be would move cells that start close together within less than a time step.
+double pressure_at_touch(const Scene& scene) {
+  constexpr double least = 20, most = 500, stresses = 30;  // Pa, Pa; of the flow
+  const double viscosity = scene.setup.density * scene.setup.kinematic_viscosity;
+  return std::clamp(stresses * viscosity * scene.flow.shear_rate.value_or(0), least, most);
+}
+
 /// Number of the type of that name; PairContact::wall for a wall, where one may stand there.
 int type_named(const Table& table, const Key& key, const Scene& scene, bool or_wall) {
   const std::string name = table.text(key);
@@ -55,11 +63,14 @@ void read_contact(const Table& table, Scene& scene) {
   Setup& setup = scene.setup;
   ContactSettings& contact = setup.contact;
   const double width = table.quantity(keys::attraction_width);
-  contact.cells = {table.has(keys::range) ? table.quantity(keys::range) : setup.domain.dx,
-                   table.quantity(keys::strength), table.quantity(keys::attraction), width};
+  const auto given = [&table](const Key& key, double fallback) {
+    return table.has(key) ? table.quantity(key) : fallback;
+  };
+  const double strength = pressure_at_touch(scene);
+  contact.cells = {given(keys::range, setup.domain.dx), given(keys::strength, strength),
+                   table.quantity(keys::attraction), width};
   require_range(table, keys::attraction, contact.cells);
-  contact.walls = {table.has(keys::wall_range) ? table.quantity(keys::wall_range) : setup.domain.dx,
-                   table.quantity(keys::wall_strength), 0, width};
+  contact.walls = {given(keys::wall_range, setup.domain.dx), given(keys::wall_strength, strength), 0, width};
   for (const Table& entry : table.tables("pairs")) {
     const PairContact pair = read_pair(entry, scene);
     for (const PairContact& earlier : contact.pairs) {

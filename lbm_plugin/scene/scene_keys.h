@@ -282,8 +282,11 @@ inline constexpr Key range{
 inline constexpr Key strength{.name = "strength",
                               .dimension = Dimension::stress(),
                               .range = Range::non_negative,
-                              .fallback = "20 Pa",
-                              .doc = "Pressure between two surfaces at touch, falling as (1 - distance/range)^2."};
+                              .fallback = optional,
+                              .doc =
+                                  "Pressure between two surfaces at touch, falling as (1 - distance/range)^2. "
+                                  "Default: 20 Pa, or 30 times the viscous stress of the imposed flow where that is "
+                                  "known and more, at most 500 Pa."};
 inline constexpr Key wall_range{
     .name = "wall_range",
     .dimension = Dimension::length(),
@@ -293,8 +296,8 @@ inline constexpr Key wall_range{
 inline constexpr Key wall_strength{.name = "wall_strength",
                                    .dimension = Dimension::stress(),
                                    .range = Range::non_negative,
-                                   .fallback = "20 Pa",
-                                   .doc = "Pressure between a cell and a wall at touch."};
+                                   .fallback = optional,
+                                   .doc = "Pressure between a cell and a wall at touch. Default: as of `strength`."};
 inline constexpr Key attraction{
     .name = "attraction",
     .dimension = Dimension::surface_modulus(),

@@ -13,6 +13,8 @@ CASE = Case(id="B1", title="Apparent viscosity of blood in a tube of 20 um", tie
 
 # tube haematocrit: relative apparent viscosity, D = 20 um
 PRIES_20_UM = {0.15: 1.222, 0.30: 1.513, 0.45: 1.948}
+# H_T/H_D at the same; by their formula with 0.415 and 0.011 in the exponents.
+FAHRAEUS_20_UM = {0.30: 0.30 / 0.417}
 _BLUNT = ("not known; two layers with a cell-free one of 2.6 um, as here, would have 0.77. Cells leave the core for 25 "
           "diameters, this run has 12 of plasma's way, 8 of its own")
 
@@ -23,7 +25,7 @@ def run(report):
     report.compare("relative apparent viscosity, H_T = 0.30", rheology["relative_viscosity"], PRIES_20_UM[0.30],
                    relative=0.15)
     ratio = summary["haematocrit"] / rheology["discharge_haematocrit"]
-    report.compare("H_T/H_D (B2)", ratio, 0.70, relative=0.05, known_failure=_BLUNT)
+    report.compare("H_T/H_D (B2)", ratio, FAHRAEUS_20_UM[0.30], relative=0.05, known_failure=_BLUNT)
     report.measured("cell-free layer", rheology["cell_free_layer_um"], unit="um")
     report.below("interpenetrating triangles at the end", summary["crossing_triangles"], 0)
     plot = report.plot("Blood in a tube of 20 um", "tube haematocrit", "relative apparent viscosity")

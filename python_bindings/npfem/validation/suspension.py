@@ -72,7 +72,7 @@ def sheared_blood(report, name, rate_per_s, haematocrit, strain, side_um=20.0, d
     density = reynolds_number * _VISCOSITY / (rate * _CELL_RADIUS_UM ** 2)
     fluid, dt = _fluid(density, dx_um, relaxation_time)
     _, folder = pack_and_run(report, name, {
-        "schema_version": 1, "title": "Sheared blood",
+        "schema_version": 1, "title": "Sheared blood", "quality": "balanced",
         "domain": {"kind": "shear_box", "size": quantities([side_um] * 3, "um"), "dx": quantity(dx_um, "um")},
         "fluid": fluid, "flow": {"shear_rate": quantity(rate_per_s, "1/s"), "start": "developed"},
         "cells": _cells(haematocrit), "run": {"steps": round(strain / (rate * dt))},
@@ -95,7 +95,7 @@ def tube_blood(report, name, haematocrit, diameter_um=20.0, length_um=40.0, dx_u
     time = diameters * diameter_um / speed
     core_um = diameter_um - 2 * layer_um
     scene = {
-        "schema_version": 1, "title": "Blood in a tube",
+        "schema_version": 1, "title": "Blood in a tube", "quality": "balanced",
         "domain": {"kind": "tube", "diameter": quantity(core_um, "um"), "length": quantity(length_um, "um"),
                    "dx": quantity(dx_um, "um")},
         "fluid": fluid, "flow": {"mean_velocity": quantity(speed * 1000, "mm/s"), "start": "developed"},

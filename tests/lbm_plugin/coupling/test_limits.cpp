@@ -66,6 +66,20 @@ TEST(Limits, KnowWhereVerticesAreTooFarApartForTheKernel) {
   }
 }
 
+TEST(Limits, KnowWhereTheFlowPressesCellsIntoEachOther) {
+  // Plasma at 2000 1/s: 1.2e-3 Pa s * 1.025 * 2000 1/s = 2.46 Pa.
+  flow::Setup setup = worked_example(1);
+  for (const auto& [strength, verdict] :
+       {std::tuple{100.0, Verdict::good}, std::tuple{40.0, Verdict::fair}, std::tuple{20.0, Verdict::exceeded}}) {
+    setup.contact.cells = {0.5, strength, 0, 0};
+    const auto limits = accuracy_limits(setup, 0.05, 2e-3);
+    EXPECT_NEAR(limit(limits, "contact").value, 2.46 / strength, 1e-9);
+    EXPECT_EQ(limit(limits, "contact").verdict, verdict);
+  }
+  setup.contact.cells.range = 0;
+  EXPECT_THROW(limit(accuracy_limits(setup, 0.05, 2e-3), "contact"), std::out_of_range);
+}
+
 TEST(Limits, AreThoseOfTheCouplingInUse) {
   flow::Setup setup = worked_example(1);
   setup.coupling.scheme = CouplingScheme::peskin;

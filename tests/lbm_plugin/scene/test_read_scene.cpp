@@ -39,6 +39,17 @@ TEST(ReadScene, TurnsEverythingIntoBaseUnits) {
   EXPECT_DOUBLE_EQ(scene.flow.velocity.value(), 6e-3);
 }
 
+TEST(ReadScene, ContactsBearTheStressOfTheFlow) {
+  // Plasma of 1.2 mPa s at 1000 1/s: 1.2 Pa.
+  EXPECT_DOUBLE_EQ(parsed(shear_scene).setup.contact.cells.strength, 30 * 1.2);
+  EXPECT_DOUBLE_EQ(parsed(shear_scene).setup.contact.walls.strength, 30 * 1.2);
+  EXPECT_DOUBLE_EQ(parsed(shear_scene, {"flow.shear_rate=50 1/s"}).setup.contact.cells.strength, 20);
+  EXPECT_DOUBLE_EQ(parsed(shear_scene, {"flow.shear_rate=90000 1/s"}).setup.contact.cells.strength, 500);
+  const ContactSettings given = parsed(shear_scene, {"contact.strength=7 Pa"}).setup.contact;
+  EXPECT_DOUBLE_EQ(given.cells.strength, 7);
+  EXPECT_DOUBLE_EQ(given.walls.strength, 30 * 1.2);
+}
+
 TEST(ReadScene, TauSetsTheTimeStep) {
   const Scene scene = parsed(with(shear_scene, "time_step = \"0.1 us\"", "tau = 1.1"));
   const double nu = 1200.0 / 1025;
