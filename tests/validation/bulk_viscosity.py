@@ -4,7 +4,8 @@
 Packed, then sheared for gdot t = 12; cytoplasm of 6 mPa s; relative viscosity from the stress on the plates over the
 last third. The plates are 20 um apart, four cells: a small box, and its walls leave layers without cells, which lower
 the stress. The reference holds for aggregating blood without walls (Quemada's fit) and, in the limit of large tubes,
-for Pries' law; so 20 % is allowed and only rates from 50 1/s on are compared. Density raised so that gdot a^2/nu = 0.05.
+for Pries' law; so 20 % is allowed and only rates from 50 1/s on are compared. Density raised so that gdot a^2/nu =
+0.05.
 """
 from npfem.validation import Case
 from npfem.validation.suspension import sheared_blood

@@ -4,9 +4,9 @@
 The cell starts squeezed to a drum that fits and takes the shape of a parachute or bullet. Saline of 1.003 mPa s,
 cytoplasm six times as viscous, 5 mmHg/mm. Measured: v = 0.0219 cm/s per mmHg/mm (28 cells, linear), length 7.9 um at
 0.12 cm/s with a scatter of 0.5 to 0.8 um. In a capillary so long that one cell does not change its flow, that speed is
-1.21 times the mean velocity G R^2/(8 mu); our tube is periodic, one cell in every 18 um, and flows slower, so the cell's
-speed is held against the mean velocity of the fluid there. Tolerance 10 % and 15 %; Mirheo is off by 6 % in the mean and
-9.6 % rms in speed. The density is ten times the true one; Re = 0.07.
+1.21 times the mean velocity G R^2/(8 mu); our tube is periodic, one cell in every 18 um, and flows slower, so the
+cell's speed is held against the mean velocity of the fluid there. Tolerance 10 % and 15 %; Mirheo is off by 6 % in the
+mean and 9.6 % rms in speed. The density is ten times the true one; Re = 0.07.
 """
 import os
 

@@ -2,15 +2,16 @@
 """Order in time of the coupling: D of a capsule at gdot t = 1 over the time step, that is over tau.
 
 Ca = 0.3, radius 5 nodes, Re = 0.02, tau from 0.875 to 6.5. With TRT the steady flow does not depend on tau, so what is
-left is the order of the coupling in time (first: implicit Euler, forces held over a step) and the compressibility of the
-lattice, which grows with the step.
+left is the order of the coupling in time (first: implicit Euler, forces held over a step) and the compressibility of
+the lattice, which grows with the step.
 """
 import math
 
 from npfem.validation import Case
 from npfem.validation.capsule_scene import shear_capsule
 
-CASE = Case(id="C6", title="Capsule: order in time", tier="nightly", cost_s=60, source="order of the scheme: docs/theory.md")
+CASE = Case(id="C6", title="Capsule: order in time", tier="nightly", cost_s=60,
+            source="order of the scheme: docs/theory.md")
 
 
 def run(report):

@@ -4,8 +4,8 @@
 Stretched to twice its width by rigid contacts without a fluid, then set free in plasma, 26 x 13 x 13 um, dx = 0.5 um.
 The viscosity of the membrane, 0.5 uN s/m where the material states none, dissipates far more than the plasma, so the
 time constant must be at least that without fluid and at most 10 % above (Guglietta et al., Soft Matter 16 (2020) 6191,
-find the membrane's part dominant). The plasma's density is 200 times the true one: steps of 17 us, and a viscous time of
-the fluid of 3 ms, 2 % of the recovery's.
+find the membrane's part dominant). The plasma's density is 200 times the true one: steps of 17 us, and a viscous time
+of the fluid of 3 ms, 2 % of the recovery's.
 """
 import os
 

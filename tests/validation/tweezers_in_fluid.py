@@ -2,9 +2,9 @@
 """A red cell pulled apart in plasma at rest: in the end the shape of the quasi-static experiment without a fluid.
 
 Once nothing moves the fluid does nothing, so the diameters must be those of `npfem stretch` with the same force shared
-by the same free vertices; a difference would be a force that coupling, lattice or immersed boundary leave behind. 50 and
-150 pN, box 26 x 13 x 13 um, dx = 0.5 um. The density is 200 times the true one, which only makes the steps longer; the
-approach to rest is that of the membrane and the plasma.
+by the same free vertices; a difference would be a force that coupling, lattice or immersed boundary leave behind. 50
+and 150 pN, box 26 x 13 x 13 um, dx = 0.5 um. The density is 200 times the true one, which only makes the steps longer;
+the approach to rest is that of the membrane and the plasma.
 """
 import os
 
@@ -38,7 +38,8 @@ def run(report):
         extent = points.max(0) - points.min(0)
         row = npfem.stretch("rbc", [force], level=3, load="shared")[-1]
         report.compare("axial diameter at %g pN" % force, extent[0], row["axial_um"], relative=0.02, unit="um")
-        report.compare("transverse diameter at %g pN" % force, extent[1], row["transverse_um"], relative=0.02, unit="um")
+        report.compare("transverse diameter at %g pN" % force, extent[1], row["transverse_um"], relative=0.02,
+                       unit="um")
         table = read_csv(os.path.join(folder, "cells.csv"))
         report.below("change of volume at %g pN" % force, 100 * (table["volume_um3"][-1] / table["volume_um3"][0] - 1), 1,
                      unit="%")

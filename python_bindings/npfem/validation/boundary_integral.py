@@ -110,7 +110,7 @@ class Capsule:
         return velocity
 
     def shear(self, strain, step=0.01):
-        """Goes on until gdot t = `strain` (midpoint rule); yields (gdot t, D, inclination in degrees) after each step."""
+        """Goes on until gdot t = `strain` (midpoint rule); yields (gdot t, D, inclination in degrees) each step."""
         for count in range(1, round(strain / step) + 1):
             half = self.points + 0.5 * step * self.velocities(self.points)
             self.points = self.points + step * self.velocities(half)

@@ -51,8 +51,8 @@ def run_scene(report, name, scene, settings=(), accept=(0,), ranks=1, threads=No
     """Runs a scene; returns its output folder.
 
     `scene`: its text, or its tables as a dictionary; files that it names lie in `report.folder`. `settings`: more lines
-    for --set. `threads`: of each rank; few nodes are best left to one. A run that ends with an exit code not in `accept`
-    raises RunFailed.
+    for --set. `threads`: of each rank; few nodes are best left to one. A run that ends with an exit code not in
+    `accept` raises RunFailed.
     """
     path = os.path.join(report.folder, name + ".toml")
     with open(path, "w", encoding="utf-8") as stream:
