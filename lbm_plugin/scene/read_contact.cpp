@@ -13,10 +13,11 @@ using text::Table;
 
 constexpr const char* wall_name = "wall";
 
-/// Flow presses cells onto each other with some times its viscous stress, which contacts must bear within a part of
-/// their range; stiffer ones than need be would move cells that start close together within less than a time step.
+/// Folded and crowded cells press on each other with some 20 Pa of their own elastic stress, flow with some times its
+/// viscous stress; contacts must bear that within a part of their range. Stiffer ones than need be would move cells
+/// that start close together within less than a time step.
 double pressure_at_touch(const Scene& scene) {
-  constexpr double least = 20, most = 500, stresses = 30;  // Pa, Pa; of the flow
+  constexpr double least = 50, most = 500, stresses = 30;  // Pa, Pa; of the flow
   const double viscosity = scene.setup.density * scene.setup.kinematic_viscosity;
   return std::clamp(stresses * viscosity * scene.flow.shear_rate.value_or(0), least, most);
 }

@@ -285,7 +285,7 @@ inline constexpr Key strength{.name = "strength",
                               .fallback = optional,
                               .doc =
                                   "Pressure between two surfaces at touch, falling as (1 - distance/range)^2. "
-                                  "Default: 20 Pa, or 30 times the viscous stress of the imposed flow where that is "
+                                  "Default: 50 Pa, or 30 times the viscous stress of the imposed flow where that is "
                                   "known and more, at most 500 Pa."};
 inline constexpr Key wall_range{
     .name = "wall_range",

@@ -40,14 +40,15 @@ TEST(ReadScene, TurnsEverythingIntoBaseUnits) {
 }
 
 TEST(ReadScene, ContactsBearTheStressOfTheFlow) {
-  // Plasma of 1.2 mPa s at 1000 1/s: 1.2 Pa.
-  EXPECT_DOUBLE_EQ(parsed(shear_scene).setup.contact.cells.strength, 30 * 1.2);
-  EXPECT_DOUBLE_EQ(parsed(shear_scene).setup.contact.walls.strength, 30 * 1.2);
-  EXPECT_DOUBLE_EQ(parsed(shear_scene, {"flow.shear_rate=50 1/s"}).setup.contact.cells.strength, 20);
+  // Plasma of 1.2 mPa s at 2000 1/s: 2.4 Pa.
+  const ContactSettings fast = parsed(shear_scene, {"flow.shear_rate=2000 1/s"}).setup.contact;
+  EXPECT_DOUBLE_EQ(fast.cells.strength, 30 * 2.4);
+  EXPECT_DOUBLE_EQ(fast.walls.strength, 30 * 2.4);
+  EXPECT_DOUBLE_EQ(parsed(shear_scene, {"flow.shear_rate=50 1/s"}).setup.contact.cells.strength, 50);
   EXPECT_DOUBLE_EQ(parsed(shear_scene, {"flow.shear_rate=90000 1/s"}).setup.contact.cells.strength, 500);
   const ContactSettings given = parsed(shear_scene, {"contact.strength=7 Pa"}).setup.contact;
   EXPECT_DOUBLE_EQ(given.cells.strength, 7);
-  EXPECT_DOUBLE_EQ(given.walls.strength, 30 * 1.2);
+  EXPECT_DOUBLE_EQ(given.walls.strength, 50);
 }
 
 TEST(ReadScene, TauSetsTheTimeStep) {
