@@ -7,12 +7,12 @@ Appl. 61 (2011) 3485). All in a box of 8 radii, whose share of D is measured wit
 from npfem.validation import Case, boundary_integral
 from npfem.validation.capsule_scene import shear_capsule
 
-CASE = Case(id="C4", title="Capsule: resolution, kernel and mesh", tier="nightly", cost_s=400,
+CASE = Case(id="C4", title="Capsule: resolution, kernel and mesh", tier="nightly", cost_s=600,
             source="own boundary integral; Kruger, Varnik & Raabe, Comput. Math. Appl. 61 (2011) 3485")
 
 _CAPILLARY, _STRAIN = 0.15, 2.5
-_EXCESS = "the kernel's excess of radius (C3) at this resolution"
-_CANCEL = "at a = 4 dx the kernel also blunts the tips, which hides a part of its excess of radius"
+_EXCESS = "second order in the width of the kernel over the radius (C3)"
+_CANCEL = "at a = 4 dx the kernel also blunts the tips, which hides a part of its error"
 
 
 def run(report):

@@ -10,14 +10,14 @@ import math
 from npfem.validation import Case, probe
 from npfem.validation.sphere_drag import effective_radius, hasimoto, raw_error
 
-CASE = Case(id="I2B", title="Drag of spheres in large boxes", tier="nightly", cost_s=120,
+CASE = Case(id="I2B", title="Drag of spheres in large boxes", tier="release", cost_s=600,
             source="Hasimoto, J. Fluid Mech. 5 (1959) 317")
 
 
 def run(report):
     """Sizes at a/L = 1/10, then shares at a = 5."""
     def drag(radius, box):
-        return probe(report, "immersed_boundary", "drag", 4, radius, box, 4)["force_over_viscosity_speed"]
+        return probe(report, "immersed_boundary", "drag", 4, radius, box, 4, 0)["force_over_viscosity_speed"]
 
     excess = effective_radius(drag(4, 32), 32) - 4
     report.measured("excess of the radius at a = 4, L = 32", excess, unit="dx")

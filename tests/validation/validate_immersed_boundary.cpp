@@ -3,7 +3,7 @@
 // units.
 //
 //   validate_immersed_boundary kernel POINTS
-//   validate_immersed_boundary drag POINTS RADIUS BOX TAU
+//   validate_immersed_boundary drag POINTS RADIUS BOX TAU INSET
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -15,6 +15,7 @@
 
 #include "capsules.h"
 #include "communicator/serial_communicator.h"
+#include "coupling/surface_inset.h"
 #include "flows.h"
 #include "geometry/vec3.h"
 #include "immersed_boundary/immersed_boundary.h"
@@ -111,15 +112,18 @@ void kernel(int points) {
 }
 
 /// F / (mu U) of a sphere in a periodic cubic box: a surface of vertices under uniform traction, the fluid holds the
-/// opposite body force; U relative to the fluid as a whole.
-void drag(int points, double radius, int box, double tau) {
+/// opposite body force; U relative to the fluid as a whole. Fluid and sphere meet `inset` nodes under the vertices.
+void drag(int points, double radius, int box, double tau, double inset) {
   SerialCommunicator self;
   const double total_force = 1e-4, volume = std::pow(box, 3);
   Lattice lattice(self, Decomposition({box, box, box}, {true, true, true}, 1), flows::periodic(),
                   {tau, 3.0 / 16.0, {0, 0, -total_force / volume}});
   ImmersedBoundary boundary(points, lattice);
 
-  const CellType sphere = capsules::capsule("icosphere", 3, radius, capsules::neo_hookean(1));
+  flow::Setup setup;
+  setup.types = {capsules::capsule("icosphere", 3, radius, capsules::neo_hookean(1))};
+  setup.cells = {CellStart{}};
+  const CellType& sphere = setup.types[0];
   const std::vector<double> area = sphere.model->get("rest_area");
   const double whole = std::accumulate(area.begin(), area.end(), 0.0);
   std::vector<double> positions = sphere.shape, forces(positions.size()), velocities(positions.size());
@@ -128,13 +132,21 @@ void drag(int points, double radius, int box, double tau) {
   std::vector<int> all(area.size());
   std::iota(all.begin(), all.end(), 0);
 
+  std::vector<VertexId> ids;
+  for (std::size_t v = 0; v < area.size(); ++v) ids.push_back({0, static_cast<int>(v)});
+  SurfaceInset surface(setup, inset);
+  const auto placed = surface.place(ids, positions);
+  const std::vector<double> markers(placed.begin(), placed.end());
+  surface.to_markers(forces);
+
   lattice.clear_force();
-  boundary.spread(positions, forces);
+  boundary.spread(markers, forces);
   const double viscous_time = box * box / (4 * std::numbers::pi * std::numbers::pi * lattice.viscosity());
   for (int i = 0; i < 10 * viscous_time; ++i) lattice.step();
 
   lattice.update_velocity();
-  boundary.interpolate(positions, all, velocities);
+  boundary.interpolate(markers, all, velocities);
+  surface.to_vertices(velocities);
   double speed = -lattice.momentum()[2] / volume;
   for (std::size_t v = 0; v < area.size(); ++v) speed += velocities[3 * v + 2] * area[v] / whole;
   std::printf("{\"force_over_viscosity_speed\": %.17g}\n", total_force / (lattice.viscosity() * speed));
@@ -144,10 +156,10 @@ int run(int count, char** words) {
   const std::string what = count > 1 ? words[1] : "";
   if (what == "kernel" && count == 3) {
     kernel(std::stoi(words[2]));
-  } else if (what == "drag" && count == 6) {
-    drag(std::stoi(words[2]), std::stod(words[3]), std::stoi(words[4]), std::stod(words[5]));
+  } else if (what == "drag" && count == 7) {
+    drag(std::stoi(words[2]), std::stod(words[3]), std::stoi(words[4]), std::stod(words[5]), std::stod(words[6]));
   } else {
-    std::fputs("validate_immersed_boundary kernel POINTS | drag POINTS RADIUS BOX TAU\n", stderr);
+    std::fputs("validate_immersed_boundary kernel POINTS | drag POINTS RADIUS BOX TAU INSET\n", stderr);
     return 2;
   }
   return 0;

@@ -52,21 +52,23 @@ class TankTreading:
 
 def shear_red_cell(report, name, rate_per_s, outside_mPa_s, inside_mPa_s=6.0, strain=60.0, reynolds_number=0.2,
                    dx_um=0.5, relaxation_time=3.0, box_um=(20.0, 16.0, 14.0), material="rbc-viscous", level=3,
-                   coupling=None, precision="double"):
+                   coupling=None, precision="double", quality="", threads=None):
     """Runs one red cell in a viscous fluid; returns a TankTreading.
 
     The fluid's density is chosen so that gdot a^2 / nu is `reynolds_number`: the true one, some 1e-4, would take a
-    thousand times the steps. `inside_mPa_s`: viscosity of the haemoglobin solution.
+    thousand times the steps. `inside_mPa_s`: viscosity of the haemoglobin solution. `quality`: the scene names it, and
+    says nothing of dx, time step and precision, which must be those of that quality.
     """
     viscosity = outside_mPa_s * 1000  # fg/(um us)
     rate = rate_per_s * 1e-6  # 1/us
     density = reynolds_number * viscosity / (rate * CELL_RADIUS_UM ** 2)  # fg/um3 = kg/m3
     dt = (relaxation_time - 0.5) * dx_um ** 2 / (3 * viscosity / density)
     folder = run_scene(report, name, {
-        "schema_version": 1, "title": "Red cell tank-treading",
-        "domain": {"kind": "shear_box", "size": quantities(box_um, "um"), "dx": quantity(dx_um, "um")},
+        "schema_version": 1, "title": "Red cell tank-treading", **({"quality": quality} if quality else {}),
+        "domain": {"kind": "shear_box", "size": quantities(box_um, "um"),
+                   **({} if quality else {"dx": quantity(dx_um, "um")})},
         "fluid": {"density": quantity(density, "kg/m3"), "dynamic_viscosity": quantity(outside_mPa_s, "mPa s"),
-                  "time_step": quantity(dt, "us"), "precision": precision},
+                  **({} if quality else {"time_step": quantity(dt, "us"), "precision": precision})},
         "coupling": coupling or {},
         # The viscosity of the membrane bears forces of many pN on a vertex: a looser tolerance than the default 1e-4
         # halves the iterations and changes the inclination by 1e-4 degrees.
@@ -79,5 +81,5 @@ def shear_red_cell(report, name, rate_per_s, outside_mPa_s, inside_mPa_s=6.0, st
         "run": {"steps": round(strain / (rate * dt))},
         "output": {"cells_every": quantity(0.25 / rate, "us"), "table_every": quantity(0.25 / rate, "us"),
                    "fluid": False, "into_box": False},
-    })
+    }, threads=threads)
     return TankTreading(folder, rate)
