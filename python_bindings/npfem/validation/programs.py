@@ -85,11 +85,14 @@ def summary_of(folder):
 def probe(report, name, *arguments):
     """The JSON that the program `validate_<name>` prints, which is built with the tests and sees the fluid from inside.
 
-    It runs on one thread: what a probe computes is small.
+    It lies beside the program, in ../libexec/npfem or on the PATH, and runs on one thread: what it computes is small.
     """
-    path = os.path.join(os.path.dirname(os.path.realpath(_program())), "validate_" + name)
-    if not os.access(path, os.X_OK):
-        raise NotHere("%s is built with the tests only (cmake --build --preset release)" % path)
+    beside = os.path.dirname(os.path.realpath(_program()))
+    folders = [beside, os.path.normpath(os.path.join(beside, "..", "libexec", "npfem"))]
+    path = shutil.which("validate_" + name, path=os.pathsep.join(folders + [os.environ.get("PATH", os.defpath)]))
+    if not path:
+        raise NotHere("validate_%s is not in %s and not on the PATH; it is built and installed with the tests "
+                      "(-DNPFEM_TESTS=ON)" % (name, " or ".join(folders)))
     report.say("%-4s asks validate_%s %s" % (report.case.id, name, " ".join(str(a) for a in arguments)))
     done = subprocess.run([path] + [str(argument) for argument in arguments], stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, text=True, check=False, env=dict(os.environ, OMP_NUM_THREADS="1"))
