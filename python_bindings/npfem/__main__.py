@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MPL-2.0
 """The verbs of the program that live in Python: stretch, relax, fit, preview, report; also `python -m npfem ...`.
 
-Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted.
+Exit codes: 0 done, 1 failed, 2 bad input or a missing Python module, 130 interrupted.
 """
 import argparse
 import sys
@@ -10,6 +10,8 @@ from . import fit_verb, preview_verb, relax_verb, report_verb, stretch_verb
 from ._library import Error
 
 OK, FAILED, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
+
+_DEBIAN_PACKAGES = {"numpy": "python3-numpy", "matplotlib": "python3-matplotlib"}
 
 # Of npfem.h: statuses that bad input leads to.
 _BAD_INPUT_STATUSES = ("NPFEM_ERROR_ARGUMENT", "NPFEM_ERROR_INPUT", "NPFEM_ERROR_NAME", "NPFEM_ERROR_IO")
@@ -34,6 +36,12 @@ def main(arguments=None):
         return BAD_INPUT if error.name in _BAD_INPUT_STATUSES else FAILED
     except (OSError, ValueError) as error:
         print("npfem %s: %s" % (chosen.verb, error), file=sys.stderr)
+        return BAD_INPUT
+    except ModuleNotFoundError as error:
+        package = _DEBIAN_PACKAGES.get((error.name or "").split(".")[0])
+        print("npfem %s: %s for %s%s" % (chosen.verb, error, sys.executable,
+                                         "; Debian and Ubuntu have it as " + package if package else ""),
+              file=sys.stderr)
         return BAD_INPUT
     except (ImportError, ArithmeticError) as error:
         print("npfem %s: %s" % (chosen.verb, error), file=sys.stderr)
