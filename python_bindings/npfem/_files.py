@@ -15,6 +15,17 @@ def require_writable(path):
         raise OSError("cannot write %s: no permission" % path)
 
 
+def require_writable_folder(path):
+    """The same for a folder, which need not be there yet."""
+    present = os.path.abspath(path)
+    while not os.path.lexists(present):
+        present = os.path.dirname(present)
+    if not os.path.isdir(present):
+        raise OSError("cannot write into %s: %s is not a folder" % (path, present))
+    if not os.access(present, os.W_OK | os.X_OK):
+        raise OSError("cannot write into %s: no permission for %s" % (path, present))
+
+
 def require_png(path):
     """The same for a picture, which must be named .png."""
     if not path.endswith(".png"):

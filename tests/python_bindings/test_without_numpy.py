@@ -5,12 +5,14 @@ import os
 import subprocess
 import sys
 
+import pytest
+
 BLOCKER = """
 import sys
 class Blocker:
     def find_spec(self, name, path=None, target=None):
         if name.split(".")[0] in ("numpy", "matplotlib", "meshio", "scipy"):
-            raise ImportError(name + " is blocked")
+            raise ModuleNotFoundError("No module named %r" % name, name=name)
 sys.meta_path.insert(0, Blocker())
 """
 
@@ -75,18 +77,22 @@ raise SystemExit(main(["relax", "--level", "2", "--step", "20", "--duration", "0
     assert "t_c = " in done.stdout and "no picture: matplotlib is not installed" in done.stdout
 
 
-def test_fit_says_what_it_needs(tmp_path):
-    done = run("""
-from npfem.__main__ import main
-raise SystemExit(main(["fit", "--level", "2"]))
-""", tmp_path)
-    assert done.returncode == 1 and "numpy" in done.stderr and "Traceback" not in done.stderr
+@pytest.mark.parametrize("arguments", [["fit", "--level", "2"], ["preview", "."], ["report", "--list"]])
+def test_what_is_needed_is_said(tmp_path, arguments):
+    done = run("from npfem.__main__ import main\nraise SystemExit(main(%r))" % arguments, tmp_path)
+    assert done.returncode == 2 and len(done.stderr.splitlines()) == 1
+    assert "No module named 'numpy'" in done.stderr and "python3-numpy" in done.stderr
+    assert list(tmp_path.iterdir()) == []
 
 
-def test_preview_says_what_it_needs(tmp_path):
+def test_a_page_of_kept_records_needs_nothing(tmp_path):
+    (tmp_path / "kept").mkdir()
+    (tmp_path / "kept" / "T1.json").write_text(json.dumps({
+        "case": {"id": "T1", "title": "A title", "tier": "ci", "source": "nobody", "cost_s": 1},
+        "about": "", "plots": [], "file": "t.py", "seconds": 1.0, "date": "2026-01-01", "failure": "", "missing": "",
+        "results": [{"quantity": "q", "ours": 1.0}]}))
     done = run("""
 from npfem.__main__ import main
-raise SystemExit(main(["preview", "."]))
+raise SystemExit(main(["report", "--no-run", "--results", "kept", "-o", "page.html"]))
 """, tmp_path)
-    assert done.returncode == 1
-    assert "numpy" in done.stderr
+    assert (done.returncode, done.stderr) == (0, "wrote page.html\n")

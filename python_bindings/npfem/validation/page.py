@@ -18,6 +18,8 @@ svg { max-width: 100%; height: auto; }
 
 _WORDS = {"pass": "passes", "fail": "FAILS", "known": "fails, as known", "mended": "PASSES, MARKED AS FAILING",
           "measured": "measured"}
+# What a record says of where it comes from; older ones do not.
+_ORIGIN = ("version", "commit", "machine")
 _COLOURS = ("#b3202c", "#1f5f8b", "#2f7d4f", "#8a4fa0", "#b07a1a", "#444444", "#d0608a", "#3aa0a0")
 
 
@@ -51,7 +53,7 @@ def _row(record, result, first):
 
 def _trouble(record):
     if record["missing"]:
-        return "missing", "not run: " + record["missing"]
+        return "missing", "could not run here: " + record["missing"]
     return "fail", "STOPPED: " + record["failure"]
 
 
@@ -103,12 +105,30 @@ def _draw(plot):
     return text[text.index("<svg"):]
 
 
+def _origin(record):
+    if not all(key in record for key in _ORIGIN):
+        return ", code and machine not recorded"
+    return " with npfem %s, commit %s, on %s" % tuple(record[key] or "unknown" for key in _ORIGIN)
+
+
+def _origins(records):
+    """The versions, commits and machines of all records."""
+    lines = []
+    for key, name, between in zip(_ORIGIN, ("npfem ", "commit ", "machine: "), (", ", ", ", "; ")):
+        distinct = sorted({record[key] or "unknown" for record in records if key in record})
+        if any(key not in record for record in records):
+            distinct.append("not recorded")
+        lines.append(name + between.join(distinct))
+    return ". ".join(lines)
+
+
 def _section(record):
     case = record["case"]
     parts = ['<h2 id="%s">%s. %s</h2>' % (case["id"], case["id"], html.escape(case["title"])),
              "<pre>%s</pre>" % html.escape(record["about"]),
-             '<p class="measured">Source: %s. File: tests/validation/%s, tier %s, run on %s.</p>'
-             % (html.escape(case["source"]), html.escape(record["file"]), case["tier"], record["date"])]
+             '<p class="measured">Source: %s. File: tests/validation/%s, tier %s, run on %s%s.</p>'
+             % (html.escape(case["source"]), html.escape(record["file"]), case["tier"], record["date"],
+                html.escape(_origin(record)))]
     for result in (Result(**result) for result in record["results"]):
         if result.known_failure:
             parts.append('<p class="%s">%s: %s</p>' % (result.verdict, html.escape(result.quantity),
@@ -129,17 +149,16 @@ def _tally(records):
     if stopped:
         words.append('<span class="fail">%d cases stopped</span>' % stopped)
     if missing:
-        words.append('<span class="missing">%d cases not run</span>' % missing)
+        words.append('<span class="missing">%d cases could not run here</span>' % missing)
     return ", ".join(words)
 
 
-def write_page(records, stream, machine, version):
-    """Writes the page. `records`: of the cases; `machine`, `version`: a line each."""
+def write_page(records, stream):
+    """Writes the page of the records of cases."""
     stream.write("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>npfem: validation</title>"
                  "<style>%s</style></head><body>\n<h1>npfem: validation</h1>\n" % _STYLE)
-    stream.write("<p>%s. %s. %d cases, %.3g s: %s.</p>\n" % (html.escape(version), html.escape(machine), len(records),
-                                                             sum(record["seconds"] for record in records),
-                                                             _tally(records)))
+    stream.write("<p>%s. %d cases, %.3g s: %s.</p>\n" % (html.escape(_origins(records)), len(records),
+                                                         sum(record["seconds"] for record in records), _tally(records)))
     stream.write(_table(records) + "\n")
     for record in records:
         stream.write(_section(record) + "\n")
