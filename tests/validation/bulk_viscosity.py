@@ -10,7 +10,7 @@ for Pries' law; so 20 % is allowed and only rates from 50 1/s on are compared. D
 from npfem.validation import Case
 from npfem.validation.suspension import sheared_blood
 
-CASE = Case(id="B4", title="Viscosity of sheared blood", tier="release", cost_s=900,
+CASE = Case(id="B4", title="Viscosity of sheared blood", tier="release", cost_s=500,
             source="Quemada, Rheol. Acta 17 (1978) 632, coefficients for blood; Pries, Neuhaus & Gaehtgens, Am. J. "
                    "Physiol. 263 (1992) H1770")
 
