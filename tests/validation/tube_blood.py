@@ -15,9 +15,9 @@ CASE = Case(id="B1", title="Apparent viscosity of blood in a tube of 20 um", tie
 PRIES_20_UM = {0.15: 1.222, 0.30: 1.513, 0.45: 1.948}
 # H_T/H_D at the same; by their formula with 0.415 and 0.011 in the exponents.
 FAHRAEUS_20_UM = {0.30: 0.30 / 0.417}
-_BLUNT = ("not known; the core moves as a plug, which with a cell-free layer of 2.6 um has 0.77 by itself; contacts that "
-          "begin at half the distance change nothing. Cells leave the core for 25 diameters, this run has 12 of plasma's "
-          "way, 8 of its own")
+_BLUNT = ("not known; the core moves as a plug, which with a cell-free layer of 2.6 um has 0.77 by itself; contacts "
+          "that begin at half the distance change nothing. Cells leave the core for 25 diameters, this run has 12 of "
+          "plasma's way, 8 of its own")
 
 
 def run(report):
