@@ -4,6 +4,7 @@ import math
 import sys
 
 from . import recovery
+from ._arguments import add_level
 from ._files import require_png, require_writable, write_aside, write_json
 from .material import Material
 
@@ -23,7 +24,7 @@ def add_to(verbs):
                       help="shear viscosity of the membrane, uN s/m (default: the material's own)")
     verb.add_argument("--ratio", type=float, default=recovery.STRETCHED_RATIO,
                       help="length over width at the release (default: 2)")
-    verb.add_argument("--level", type=int, default=-1, help="level of the mesh (default: the material's own)")
+    add_level(verb)
     verb.add_argument("--step", type=float, default=recovery.STEP_MS, metavar="MS", help="time step, ms (default: 10)")
     verb.add_argument("--duration", type=float, default=recovery.DURATION_S, metavar="S",
                       help="how long the cell is followed, s (default: 0.6)")

@@ -3,6 +3,7 @@
 import math
 import sys
 
+from ._arguments import add_level
 from ._files import require_png, require_writable, write_aside, write_json
 from .tweezers import CONTACT_DIAMETER_UM, LOADS, pull
 from .tweezers_data import MILLS_2004, loaded_forces, rms_errors
@@ -40,8 +41,7 @@ def add_to(verbs):
     verb.add_argument("--material", default="rbc", help="a preset or a material file (.toml); default: rbc")
     verb.add_argument("--force", default="0:200:25", metavar="FORCES",
                       help="start:stop:step, the stop included, or a comma-separated list, pN (default: 0:200:25)")
-    verb.add_argument("--level", type=int, default=-1,
-                      help="level of the mesh: 2, 3, 4 have 66, 258, 1026 vertices (default: the material's own)")
+    add_level(verb)
     verb.add_argument("--load", choices=LOADS, default="rigid",
                       help="rigid: beads hold their contact together; shared: the force is split over free vertices")
     verb.add_argument("--contact", type=float, default=CONTACT_DIAMETER_UM, metavar="UM",
