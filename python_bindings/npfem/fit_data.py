@@ -13,6 +13,13 @@ _RANGES = {"force_pN": (0.0, 1000.0), "axial_um": (1.0, 50.0), "transverse_um": 
 
 def _numbers(path, columns):
     """Rows of a CSV file as tuples of the columns asked for; lines that start with # are skipped."""
+    try:
+        return _rows(path, columns)
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise ValueError("%s is no CSV file in UTF-8: %s" % (path, error)) from None
+
+
+def _rows(path, columns):
     with open(path, encoding="utf-8", newline="") as stream:
         lines = [(number, line) for number, line in enumerate(stream, 1) if line.strip() and not line.startswith("#")]
     reader = csv.reader(line for _, line in lines)

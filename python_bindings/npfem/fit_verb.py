@@ -5,6 +5,7 @@ import os
 import sys
 
 from . import fit_data, fit_report, literature
+from ._arguments import add_level
 from ._files import require_png, require_writable, write_aside, write_json
 from .material import Material
 from .tweezers import CONTACT_DIAMETER_UM, LOADS
@@ -25,7 +26,7 @@ def add_to(verbs):
     verb.add_argument("--relaxation", nargs="+", default=[], metavar="DATA",
                       help="recoveries: hochmuth1979, or files, one per cell, with the columns "
                            + ", ".join(fit_data.RECOVERY_COLUMNS))
-    verb.add_argument("--level", type=int, default=-1, help="level of the mesh (default: the material's own)")
+    add_level(verb)
     verb.add_argument("--load", choices=LOADS, default="rigid",
                       help="rigid: beads hold their contact together; shared: the force is split over free vertices")
     verb.add_argument("--contact", type=float, default=CONTACT_DIAMETER_UM, metavar="UM",
@@ -36,7 +37,12 @@ def add_to(verbs):
     verb.set_defaults(run=run)
 
 
-def _check_outputs(options):
+def _check(options):
+    if not options.data and not options.relaxation:
+        raise ValueError("--data: name what was measured: mills2004 or files that end in .csv; only with --relaxation "
+                         "may it be empty")
+    if not (math.isfinite(options.contact) and options.contact > 0):
+        raise ValueError("--contact %g: a positive diameter is needed, um" % options.contact)
     if options.output:
         if not options.output.endswith(".toml"):
             raise ValueError("-o %s: a name that ends in .toml is needed" % options.output)
@@ -45,6 +51,7 @@ def _check_outputs(options):
         require_writable(options.json)
     if options.plot:
         require_png(options.plot)
+        import matplotlib  # noqa: F401: what is missing is told before the work
 
 
 def _free(options):
@@ -58,7 +65,10 @@ def _progress(iteration, values, sum_of_squares):
     print("iteration %d: %s; weighted sum of squares %.4g" % (iteration, shown, sum_of_squares), flush=True)
 
 
-def _write_text(path, text):
+def _write_material(path, found, setup, data):
+    text = fit_report.material_text(found, setup, data, os.path.splitext(os.path.basename(path))[0])
+    Material.parse(text).close()
+
     def write(aside):
         with open(aside, "w", encoding="utf-8") as stream:
             stream.write(text)
@@ -87,9 +97,7 @@ def run(options):
     """Fits, prints, writes; returns the exit code."""
     from .fitting import Measured, Setup, fit  # needs numpy, which the other verbs do without
 
-    if not (math.isfinite(options.contact) and options.contact > 0):
-        raise ValueError("--contact %g: a positive diameter is needed, um" % options.contact)
-    _check_outputs(options)
+    _check(options)
     measured = Measured([point for name in options.data for point in fit_data.stretching(name)],
                         [fit_data.recovery_time(name) for name in options.relaxation])
     setup = Setup(options.level, options.load, options.contact)
@@ -100,15 +108,12 @@ def run(options):
         print(line)
     if options.json:
         write_json(options.json, fit_report.document(found, setup, data))
+    failure = _failure(found)
+    if options.output and not failure:
+        _write_material(options.output, found, setup, data)
     if options.plot and measured.points:
         _draw(options, found, measured)
-    failure = _failure(found)
     if failure:
         print("npfem fit: %s%s" % (failure, "; no material is written" if options.output else ""), file=sys.stderr)
         return 1
-    if options.output:
-        name = os.path.splitext(os.path.basename(options.output))[0]
-        text = fit_report.material_text(found, setup, data, name)
-        Material.parse(text).close()
-        _write_text(options.output, text)
     return 0

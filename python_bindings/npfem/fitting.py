@@ -19,6 +19,7 @@ _STRONG_CORRELATION = 0.95
 # The interval of a parameter without a band that counts as unknown: its ends differ by this factor.
 _WIDE_FACTOR = 2.0
 _RECOVERY_STEP_MS = 20.0
+_LEAST_HELD = 3
 
 # How the cell is pulled, and on which mesh.
 Setup = collections.namedtuple("Setup", "level load contact_diameter_um")
@@ -50,6 +51,20 @@ def check_free(material, free, measured):
                          % (count, len(free)))
     if not measured.points and list(free) != [literature.FITTED_BY_RECOVERY]:
         raise ValueError("without points of stretching only %s can be fitted" % literature.FITTED_BY_RECOVERY)
+
+
+def contact_on(mesh, contact_diameter_um):
+    """(vertices, area in um2) that the contact holds on one side. ValueError where it is no disc on this mesh."""
+    left, right = tweezers.contact_vertices(mesh.positions, contact_diameter_um)
+    held = "%d of %d vertices on a side" % (min(len(left), len(right)), mesh.vertex_count)
+    if min(len(left), len(right)) < _LEAST_HELD:
+        raise ValueError("--contact %g: holds %s, %d at least are needed: use a wider contact or a finer mesh (--level)"
+                         % (contact_diameter_um, held, _LEAST_HELD))
+    width = float(mesh.positions[:, 1].max() - mesh.positions[:, 1].min())
+    if contact_diameter_um >= width:
+        raise ValueError("--contact %g: reaches over the whole cell, %.3g um wide, and holds %s: use a narrower one"
+                         % (contact_diameter_um, width, held))
+    return len(left), tweezers.held_area(mesh.positions, mesh.triangles, left)
 
 
 def starting_value(material, key):
@@ -188,6 +203,9 @@ def fit(material, free, measured, setup, say=lambda iteration, values, sum_of_sq
     """
     check_free(material, free, measured)
     experiment = Experiment(material, free, measured, setup)
+    with material.mesh(setup.level) as mesh:
+        held, area = contact_on(mesh, setup.contact_diameter_um)
+        vertices = mesh.vertex_count
 
     # The logarithm of 1 - v falls with v, so the ends of that search change places.
     ends = [sorted((literature.to_coordinate(key, literature.PARAMETERS[key].least),
@@ -196,10 +214,6 @@ def fit(material, free, measured, setup, say=lambda iteration, values, sum_of_sq
     x, residuals, slopes, iterations, converged = minimise(
         experiment.residuals, start, [low for low, _ in ends], [high for _, high in ends],
         lambda iteration, at, left: say(iteration, experiment.values(at), float(left @ left)))
-    setup = experiment.setup
-    with experiment.material.mesh(setup.level) as mesh:
-        held = tweezers.contact_vertices(mesh.positions, setup.contact_diameter_um)[0]
-        area, vertices = tweezers.held_area(mesh.positions, mesh.triangles, held), mesh.vertex_count
     stretching = residuals[:2 * len(measured.points)]
     rows = experiment.rows(x)
     experiment.apply(x)
@@ -210,7 +224,7 @@ def fit(material, free, measured, setup, say=lambda iteration, values, sum_of_sq
         "rms_transverse": _rms(stretching[1::2], TRANSVERSE_WEIGHT),
         "recovery_s": experiment.recovery_time(x) if measured.recoveries else None,
         "points": len(measured.points),
-        "contact_vertices": len(held),
+        "contact_vertices": held,
         "contact_area_um2": area,
         "mesh_vertices": vertices,
         "iterations": iterations,

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MPL-2.0
 import json
+import sys
 
 import numpy
 import pytest
 
 import npfem
 from npfem import __main__ as program
-from npfem import fit_data, fitting, recovery
+from npfem import curve_plot, fit_data, fitting, recovery
 
 FORCES = (20.0, 50.0, 90.0, 140.0)
 SETUP = fitting.Setup(level=2, load="rigid", contact_diameter_um=2.0)
@@ -130,12 +131,14 @@ def test_interrupted_it_leaves_nothing(calls, tmp_path, capsys, monkeypatch):
     (["--free", "shear_modulus", "--relaxation", "hochmuth1979"], "name it in --free"),
     (["--data", "mills2005"], 'mills2004 or a file that ends in .csv'),
     (["--data", "/no/such.csv"], "/no/such.csv"),
-    (["--data"], "at least one, is needed"),
+    (["--data"], "--data: name what was measured: mills2004 or files that end in .csv"),
     (["--data", "--relaxation", "hochmuth1979", "--free", "shear_modulus,membrane_shear_viscosity"],
      "only membrane_shear_viscosity can be fitted"),
     (["--relaxation", "hochmuth"], "hochmuth1979 or a file"),
     (["--contact", "0"], "--contact 0"),
     (["--contact", "nan"], "--contact nan"),
+    (["--contact", "0.01"], "--contact 0.01: holds 1 of 66 vertices on a side, 3 at least are needed"),
+    (["--contact", "20"], "--contact 20: reaches over the whole cell, 7.82 um wide, and holds 13 of 66 vertices"),
     (["-o", "fitted.json"], "ends in .toml"),
     (["-o", "/no/folder/a.toml"], "there is no folder"),
     (["--plot", "a.jpg"], "ends in .png"),
@@ -175,6 +178,40 @@ def test_bad_recoveries(content, words, tmp_path):
     (tmp_path / "a.csv").write_text(content)
     with pytest.raises(ValueError, match=words):
         fit_data.recovery_time(str(tmp_path / "a.csv"))
+
+
+@pytest.mark.parametrize("content", [b"\x89PNG\r\n\x1a\n\xff\xfe", b"force_pN,axial_um,transverse_um\n1,2\xe9,3\n",
+                                     b"force_pN,axial_um\rtransverse_um\n", b"\0\0\0"])
+def test_data_that_are_no_text(content, tmp_path, capsys):
+    (tmp_path / "binary.csv").write_bytes(content)
+    code, _, err = run(["--data", str(tmp_path / "binary.csv")], capsys)
+    assert code == 2 and "binary.csv" in err and len(err.splitlines()) == 1
+
+
+def test_a_picture_that_cannot_be_drawn_is_told_before_the_work(tmp_path, capsys, monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    code, out, err = run(["-o", str(tmp_path / "a.toml"), "--plot", str(tmp_path / "a.png")], capsys)
+    assert (code, out) == (2, "") and "matplotlib" in err and "python3-matplotlib" in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_material_is_written_before_the_picture(truth, tmp_path, capsys, monkeypatch):
+    def fails(*arguments):
+        raise OSError("disk full")
+
+    monkeypatch.setattr(curve_plot, "plot_stretch", fails)
+    data = write_points(tmp_path / "mine.csv", truth)
+    code, _, err = run(["--data", data, "-o", str(tmp_path / "a.toml"), "--plot", str(tmp_path / "a.png")], capsys)
+    assert code == 2 and "disk full" in err
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.toml", "mine.csv"]
+
+
+@pytest.mark.parametrize("verb", ["fit", "relax", "stretch"])
+def test_no_mesh_has_a_negative_level(verb, capsys):
+    with pytest.raises(SystemExit) as ended:
+        program.main([verb, "--level", "-5"])
+    assert ended.value.code == 2
+    assert "--level: -5: no mesh has a negative level; 2, 3, 4 have 66, 258, 1026 vertices" in capsys.readouterr().err
 
 
 def test_too_few_points(tmp_path, capsys):
