@@ -11,8 +11,8 @@ from .validation.page import write_page
 
 _DESCRIPTION = (
     "Runs the validation cases of a tier and writes one HTML page: every number beside theory, measured blood and "
-    "other codes. Exit code 0: every number is within what is allowed, or misses it for a cause that its case names; 1: "
-    "one is not, or nothing ran; 2: bad input. A case whose programs are not installed says so and does not count.")
+    "other codes. Exit code 0: every number is within what is allowed, or misses it for a cause that its case names; "
+    "1: one is not, or nothing ran; 2: bad input. A case whose programs are not installed says so and does not count.")
 
 
 def add_to(verbs):

@@ -280,4 +280,5 @@ def test_scenes_as_dictionaries():
                  "cells": [{"name": "a", "on": True, "positions": [{"centre": ["0.0 um"]}]},
                            {"name": 'b"', "count": 3}]})
     assert text == ('schema_version = 1\n\n[domain]\ndx = "0.1 um"\nsize = ["1.0 um", "2.0 um"]\n\n[[cells]]\n'
-                    'name = "a"\non = true\npositions = [{ centre = ["0.0 um"] }]\n\n[[cells]]\nname = "b\\""\ncount = 3\n')
+                    'name = "a"\non = true\npositions = [{ centre = ["0.0 um"] }]\n\n[[cells]]\nname = "b\\""\n'
+                    'count = 3\n')
