@@ -60,9 +60,11 @@ def _kept_records(options):
     if not os.path.isdir(options.results):
         raise ValueError("--results %s: there is no such folder" % options.results)
     known = [(Case(**record["case"]), record) for record in collection.load(options.results)]
-    if not known:
-        raise ValueError("--results %s: there is no record of a case in it" % options.results)
-    return collection.choose(known, options.results, options.tier, options.case)
+    chosen = collection.choose(known, options.results, options.tier, options.case)
+    if not chosen:
+        tier = " of tier " + options.tier if options.tier else ""
+        raise ValueError("--results %s: there is no record of a case%s in it" % (options.results, tier))
+    return chosen
 
 
 def _run_cases(options):

@@ -199,6 +199,13 @@ def test_kept_records_are_chosen_from(kept, tmp_path, arguments, ids, code):
     assert [name for name in ("T1", "T2") if 'id="%s"' % name in page.read_text()] == ids
 
 
+def test_a_tier_without_records_is_told(kept, tmp_path, capsys):
+    os.remove(os.path.join(kept, "T1.json"))
+    page = tmp_path / "page.html"
+    assert main(["report", "--no-run", "--results", kept, "--tier", "ci", "-o", str(page)]) == 2
+    assert "there is no record of a case of tier ci in it" in capsys.readouterr().err and not page.exists()
+
+
 @pytest.mark.parametrize("arguments, message", [
     (["--results", "TYPO"], "--results TYPO: there is no such folder"),
     (["--results", "empty"], "--results empty: there is no record of a case in it"),
