@@ -17,6 +17,9 @@ CASE = Case(id="B4", title="Viscosity of sheared blood", tier="release", cost_s=
 # shear rate (1/s): mu/mu_plasma at 35 %
 QUEMADA_35 = {50: 2.94, 100: 2.79, 200: 2.68, 500: 2.58}
 
+_FILMS = ("at 100 1/s the viscosity is 16 % too high, at 500 1/s, where cells give way, 2 %: films between cells of one or "
+          "two nodes of 0.5 um")
+
 
 def run(report):
     """Two shear rates."""
@@ -30,5 +33,5 @@ def run(report):
         report.below("interpenetrating triangles at the end, %d 1/s" % rate, summary["crossing_triangles"], 0)
         report.below("volume error, %d 1/s" % rate, 100 * summary["volume_error"], 1, unit="%")
     report.compare("thinning from 100 to 500 1/s", found[100] / found[500], QUEMADA_35[100] / QUEMADA_35[500],
-                   relative=0.1)
+                   relative=0.1, known_failure=_FILMS)
     report.curve(plot, "npfem, 20 um between the plates", list(found), list(found.values()))

@@ -45,6 +45,10 @@ class TankTreading:
         slope = numpy.polyfit([self.strain[i] for i in chosen], self.phase[chosen], 1)[0]
         return abs(slope) / (2 * math.pi)
 
+    def turned(self, strain):
+        """Cycles that the membrane has gone round by gdot t = `strain`."""
+        return abs(float(numpy.interp(strain, self.strain, self.phase))) / (2 * math.pi)
+
     def mean_inclination(self, start):
         """Degrees, after gdot t = `start`."""
         return float(numpy.mean([a for a, strain in zip(self.inclination, self.strain) if strain >= start]))
