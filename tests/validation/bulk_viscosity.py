@@ -17,8 +17,8 @@ CASE = Case(id="B4", title="Viscosity of sheared blood", tier="release", cost_s=
 # shear rate (1/s): mu/mu_plasma at 35 %
 QUEMADA_35 = {50: 2.94, 100: 2.79, 200: 2.68, 500: 2.58}
 
-_FILMS = ("at 100 1/s the viscosity is 16 % too high, at 500 1/s, where cells give way, 2 %: films between cells of one or "
-          "two nodes of 0.5 um")
+_FILMS = ("at 100 1/s the viscosity is 16 % too high, at 500 1/s, where cells give way, 2 %: films between cells of "
+          "one or two nodes of 0.5 um")
 
 
 def run(report):
