@@ -218,8 +218,8 @@ class TankTreadingTrial(AgainstFiner):
         """(cycles by the end, processor seconds per simulated ms)."""
         folder, started_at = os.path.join(report.folder, name), _processor_seconds()
         ours = shear_red_cell(report, name, 131.6, 28.9, strain=self.strain, dx_um=choice.dx_um,
-                              relaxation_time=choice.tau, level=choice.level, box_um=(16.0, 16.0, 12.0), coupling=_coupling(choice),
-                              precision=choice.precision, quality=choice.quality, threads=1)
+                              relaxation_time=choice.tau, level=choice.level, box_um=(16.0, 16.0, 12.0),
+                              coupling=_coupling(choice), precision=choice.precision, quality=choice.quality, threads=1)
         if choice.quality:
             _require_meant(folder, choice)
         return ours.turned(self.strain), _seconds_per_ms(folder, started_at)
