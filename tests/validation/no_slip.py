@@ -76,8 +76,8 @@ steps = %d
 """
 SOFT = ("a soft capsule still deforms at rate t = 1: the force on a vertex changes by dF in a solve and moves it past "
         "the fluid by delta dF/m, which the forces of the run make 0.75 % of the 0.83 %, and 0.04 of 0.06 % at k = 1")
-SERIES = ("0.06 % is that of the vertices, which deform; the rest, it seems, the series from markers to vertices, which "
-          "ends with the third order")
+SERIES = ("0.06 % is that of the vertices, which deform; the rest, it seems, the series from markers to vertices, "
+          "which ends with the third order")
 
 
 def weights(offset):
