@@ -57,8 +57,19 @@ std::string record_of_body(const CellsRequest& request) {
   return record;
 }
 
+/// `peskin` takes the forces of the energies where the cell is; a membrane's viscosity needs where it was.
+void require_known_to_coupling(const api::Material& material, const CellsRequest& request, CouplingScheme scheme) {
+  if (scheme != CouplingScheme::peskin) return;
+  for (const char* key : {"membrane_shear_viscosity", "membrane_dilatational_viscosity"}) {
+    if (material.number(key) == 0) continue;
+    request.table.fail("material", "has a " + std::string(key) +
+                                       " above 0, which coupling.scheme = \"peskin\" does not know; take \"implicit\", "
+                                       "or a material without it");
+  }
+}
+
 /// `source` names the key to blame where the next call fails; `record` is what the type is made of, as text.
-api::Model model_of(const CellsRequest& request, const char*& source, std::string& record) {
+api::Model model_of(const CellsRequest& request, CouplingScheme scheme, const char*& source, std::string& record) {
   if (!request.body_folder.empty()) {
     source = "body_folder";
     api::Model model = api::Model::load_lineage(request.body_folder, request.body_density, request.volume_weight);
@@ -67,6 +78,7 @@ api::Model model_of(const CellsRequest& request, const char*& source, std::strin
   }
   const api::Material material = material_of(request);
   record = text_of(material);
+  require_known_to_coupling(material, request, scheme);
   if (!request.mesh_file.empty()) source = "mesh";
   const api::Mesh mesh = mesh_of(request, material);
   source = "material";
@@ -88,7 +100,8 @@ CellType make_type(const CellsRequest& request, const Scene& scene) {
   const char* source = "material";
   std::string record;
   try {
-    const auto model = std::make_shared<const api::Model>(model_of(request, source, record));
+    const auto model =
+        std::make_shared<const api::Model>(model_of(request, scene.setup.coupling.scheme, source, record));
     require_valid_options(*model, scene);
     std::vector<double> shape = relaxed_shape(*model, request, scene.setup.backend);
     std::vector<double> load = load_of(request, shape);

@@ -240,14 +240,14 @@ inline constexpr Key file{.name = "file",
                               "The numbers of cells in `[[cells]]` are then not used and may be left out."};
 
 // [coupling]
-inline constexpr Key scheme{
-    .name = "scheme",
-    .kind = Kind::choice,
-    .choices = "implicit peskin lineage",
-    .fallback = "implicit",
-    .doc =
-        "`implicit`: stable for any stiffness of the membrane. `peskin`: explicit, the yardstick while it is stable. "
-        "`lineage`: as in Palabos-npFEM, for comparison."};
+inline constexpr Key scheme{.name = "scheme",
+                            .kind = Kind::choice,
+                            .choices = "implicit peskin lineage",
+                            .fallback = "implicit",
+                            .doc =
+                                "`implicit`: stable for any stiffness of the membrane. `peskin`: explicit, the "
+                                "yardstick while it is stable; knows no viscosity of the membrane. "
+                                "`lineage`: as in Palabos-npFEM, for comparison."};
 inline constexpr Key kernel{.name = "kernel",
                             .kind = Kind::integer,
                             .range = Range::positive,

@@ -211,7 +211,8 @@ class TankTreadingTrial(AgainstFiner):
 
     name, unit = "tank-treading red cell", "% of the turn"
     strain = 15.0
-    unstable = {Choice(tau=12.0): "refused: the plates would move at Mach 0.35, 0.3 is allowed"}
+    unstable = {Choice(tau=12.0): "refused: the plates would move at Mach 0.35, 0.3 is allowed",
+                Choice(tau=1.0, scheme="peskin"): "refused: it knows no viscosity of the membrane"}
     allowed = {"fast": 10.0, "balanced": 10.0, "accurate": 5.0}
 
     def observe(self, report, choice, name):

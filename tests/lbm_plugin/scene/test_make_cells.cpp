@@ -87,6 +87,11 @@ TEST(MakeCells, NamesWhatCannotBeUsed) {
             "scene.toml:18:12: cells[0].material: npfem_material_load: cannot read \"nosuch.toml\": no such file");
   EXPECT_EQ(error_of(with(shear_scene, "level = 2", "mesh = \"none.off\"")),
             "scene.toml:19:8: cells[0].mesh: npfem_mesh_load: cannot read \"none.off\": no such file");
+  const std::string viscous = with(shear_scene, "material = \"rbc\"", "material = \"rbc-viscous\"");
+  EXPECT_EQ(error_of(with(viscous, "[run]", "[coupling]\nscheme = \"peskin\"\n[run]")),
+            "scene.toml:18:12: cells[0].material: has a membrane_shear_viscosity above 0, which coupling.scheme = "
+            "\"peskin\" does not know; take \"implicit\", or a material without it");
+  EXPECT_EQ(error_of(viscous), "no error");
 }
 
 TEST(MakeCells, NamesCellsThatCannotStandWhereTheyAre) {
