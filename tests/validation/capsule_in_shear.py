@@ -41,6 +41,8 @@ _TRANSIENT = {
 
 _REFERENCE_LOW = "an independent boundary integral gives the D computed here, not the published one; cause not known"
 _TIPS = "3.04 %: between both yardsticks; 2 points at the pointed tips, where 4 points at the vertices are 1.1 % low"
+_LOW = (0.075, "Ramanujan & Pozrikidis")
+_SCATTER = "published curves scatter: theirs lies 4.6 % below that of Doddi & Bagchi here, ours 1.6 % above"
 _WIDE_KERNEL = "second order in the width of the kernel over the radius (C3)"
 
 
@@ -63,7 +65,7 @@ def run(report):
             if capillary in curves:
                 shown = curves[capillary]
                 report.compare("D at gdot t = 1, %s, against %s" % (name, who), ours.deformation[ours.at(1)], shown[1],
-                               relative=0.05)
+                               relative=0.05, known_failure=_SCATTER if (capillary, who) == _LOW else "")
                 report.curve(plot, "%s, %s" % (name, who), _TIMES[:len(shown)], shown, points=True)
         report.curve(plot, "%s, coupled" % name, ours.strain, ours.deformation)
         report.curve(plot, "%s, boundary integral" % name, [row[0] for row in yardstick], [row[1] for row in yardstick])
