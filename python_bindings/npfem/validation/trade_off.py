@@ -132,11 +132,11 @@ class CapsuleTrial:
 
     name, unit, filled = "capsule", "% of D", FILLED
     # Allowed with each quality (docs/speed_and_error.md), and what is known not to run.
-    allowed = {"fast": 4.0, "balanced": 2.5, "accurate": 1.5}
+    allowed = {"fast": 4.5, "balanced": 3.0, "accurate": 2.0}
     unstable = {Choice(tau=12.0): "gdot T = 0.09 at 10 000 1/s, of 0.02 that npfem plan allows"}
     radius_um, rate, capillary, strain = 4.0, 1e-2, 0.15, 1.5  # um, 1/us
-    # Of the box of 8 radii, measured with one of 16 (case C4), per cent of D.
-    box_share = 1.35
+    # Of the box of 8 radii in D, per cent: 0.65 with 6, 0.70 with 4 nodes a radius, by runs in a box of 16 (C4).
+    box_share = 0.65
 
     def prepare(self, report):
         """The yardstick."""
