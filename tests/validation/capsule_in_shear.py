@@ -66,7 +66,6 @@ def run(report):
                 shown = curves[capillary]
                 report.compare("D at gdot t = 1, %s, against %s" % (name, who), ours.deformation[ours.at(1)], shown[1],
                                relative=0.05, known_failure=_SCATTER if (capillary, who) == _LOW else "")
-                report.curve(plot, "%s, %s" % (name, who), _TIMES[:len(shown)], shown, points=True)
         report.curve(plot, "%s, coupled" % name, ours.strain, ours.deformation)
         report.curve(plot, "%s, boundary integral" % name, [row[0] for row in yardstick], [row[1] for row in yardstick])
         report.measured("change of volume, %s" % name, 100 * (ours.volume[-1] - 1), unit="%")
@@ -75,3 +74,6 @@ def run(report):
             report.compare("D, %s, 4 points, against the boundary integral" % name,
                            wide.mean(wide.deformation, 0.9 * strain), unbounded, relative=0.03,
                            known_failure=_WIDE_KERNEL)
+    for who, curves in _TRANSIENT.items():
+        report.curve(plot, who, [time for shown in curves.values() for time in _TIMES[:len(shown)]],
+                     [value for shown in curves.values() for value in shown], points=True)

@@ -79,9 +79,10 @@ def _draw(plot):
     except ImportError:
         return '<p class="missing">%s: no picture without matplotlib</p>' % html.escape(plot["title"])
     with rc_context({"svg.hashsalt": "npfem", "svg.fonttype": "none", "font.family": "sans-serif"}):
-        figure = Figure(figsize=(7.2, 4.2))
+        many = len(plot["curves"]) > 6  # then their names stand beside the picture, not over it
+        figure = Figure(figsize=(9.6 if many else 7.2, 4.2))
         FigureCanvasSVG(figure)
-        axes = figure.add_axes([0.1, 0.13, 0.87, 0.78])
+        axes = figure.add_axes([0.08, 0.13, 0.66, 0.78] if many else [0.1, 0.13, 0.87, 0.78])
         for index, curve in enumerate(plot["curves"]):
             colour = _COLOURS[index % len(_COLOURS)]
             if curve["band"] is not None:
@@ -98,7 +99,8 @@ def _draw(plot):
         axes.set_title(plot["title"], loc="left", fontsize=11)
         axes.grid(True, color="#e6e6e6", linewidth=0.8)
         axes.set_axisbelow(True)
-        axes.legend(frameon=False, fontsize=8)
+        beside = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.0)} if many else {}
+        axes.legend(frameon=False, fontsize=8, **beside)
         stream = io.StringIO()
         figure.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})
     text = stream.getvalue()

@@ -284,11 +284,12 @@ def report_trade_off(report, trial):
     for name, choices in series:
         found = [(choice, measure(choice)) for choice in choices]
         good = [result for _, result in found if result]
-        report.curve(plot, name, [seconds for _, seconds in good], [max(abs(error), 0.01) for error, _ in good])
+        report.curve(plot, name, [seconds for _, seconds in good], [max(abs(error), 0.01) for error, _ in good],
+                     points=name == "filled")
         for choice, result in found:
             tell(choice, result)
     for choice in QUALITIES:
         result = measure(choice)
         tell(choice, result)
-        if result:
+        if result and result[0] != 0:  # not the yardstick itself
             report.curve(plot, choice.quality, [result[1]], [max(abs(result[0]), 0.01)], points=True)
