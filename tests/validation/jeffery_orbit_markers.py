@@ -2,7 +2,7 @@
 """Jeffery's orbit (I4) with fluid and body meeting at markers under the surface, as scenes have it that say nothing.
 
 A kernel makes a body larger, which turns faster, and strengthens its answer to strain, which turns it more slowly. At
-the vertices the two cancel in part (+6.7 and +2.6 % with 4 points, of which 1.8 % are the box's). Markers under the
+the vertices the two cancel in part (+6.7 and -2.6 % with 4 points, of which 1.8 % are the box's). Markers under the
 surface take away the first, which is of first order in dx, and leave the second: on spheres the excess of the radius in
 a strain is c + 1.25 dx^2/R where that in translation is c (I7, I2), and R is half of the short axis here. So thin
 bodies turn too slowly until their short axis is many nodes long. Tolerance: 5 %, as in I4.
