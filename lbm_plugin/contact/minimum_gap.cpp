@@ -29,8 +29,9 @@ std::vector<BoundedTriangle> triangles_of(const CellSurface& cell, std::span<con
   triangles.reserve(ids.size() / 3);
   for (std::size_t t = 0; t < ids.size(); t += 3) {
     BoundedTriangle triangle{};
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i) {
       triangle.corner[i] = vector_at(cell.positions, static_cast<std::size_t>(ids[t + i]));
+    }
     const auto& [a, b, c] = triangle.corner;
     triangle.centre = scale(1.0 / 3.0, add(a, add(b, c)));
     for (const Vec3& corner : triangle.corner) {

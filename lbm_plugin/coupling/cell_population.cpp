@@ -36,8 +36,7 @@ std::vector<double> start_positions(const CellStart& start, const CellType& type
   std::vector<double> positions = type.shape;
   for (std::size_t v = 0; v < positions.size() / 3; ++v) {
     const Vec3 turned = rotate(start.rotation, vector_at(positions, v));
-    const Vec3 placed = add(start.centre, turned);
-    std::copy(placed.begin(), placed.end(), positions.begin() + static_cast<std::ptrdiff_t>(3 * v));
+    set_vector(positions, v, add(start.centre, turned));
   }
   return positions;
 }

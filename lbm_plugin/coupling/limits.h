@@ -34,12 +34,10 @@ struct Limit {
 ///   gdot T             T = (tau - 1/2) dt: in time the lattice is a Maxwell fluid that forgets over T
 ///   kappa = delta^2 G / (rho ell a^2)   compliance of the implicit coupling with modulus G, once for the shear modulus
 ///                      and once for the largest; relative error in volume and deformation about kappa
-///   spacing            distance of neighbouring vertices over half the width of the kernel: red cells in a tube let
-///   0.3,
-///                      1.5 and 7 % more through at 0.77, 1.0 and 1.5 than on a mesh twice as fine
-///   contact            viscous stress of the imposed flow over the pressure of contacts at touch: blood in a tube of
-///   20 um
-///                      pressed vertices 0.28 um into other cells at 0.14
+///   spacing            distance of neighbouring vertices over half the width of the kernel: red cells in a tube
+///                      let 0.3, 1.5 and 7 % more through at 0.77, 1.0 and 1.5 than on a mesh twice as fine
+///   contact            viscous stress of the imposed flow over the pressure of contacts at touch: blood in a tube
+///                      of 20 um pressed vertices 0.28 um into other cells at 0.14
 ///   3 G_s / (rho (dx/dt)^2 a)           compression of the lattice fluid inside a cell by its own tension
 /// a is the radius of the sphere of the cell's rest area. `speed` (um/us) and `shear_rate` (1/us) are those of the flow
 /// the scene imposes, where they are known.

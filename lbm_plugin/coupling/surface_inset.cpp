@@ -120,8 +120,9 @@ void SurfaceInset::turn_offsets(const Body& body, const double* velocity, double
 void SurfaceInset::turn_offsets_transposed(const Body& body, const double* moment, double* force) {
   const double* const x = &positions_[3 * body.first];
   double* const along = &along_[3 * body.first];
-  for (std::size_t v = 0; v < body.count; ++v)
+  for (std::size_t v = 0; v < body.count; ++v) {
     set_vector(along, v, rate_of_offset(body.first + v, vector_at(moment, v)));
+  }
   std::fill(force, force + 3 * body.count, 0.0);
   const std::vector<std::int32_t>& all = triangles(body);
   for (std::size_t t = 0; t + 2 < all.size(); t += 3) {

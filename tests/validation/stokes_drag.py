@@ -21,7 +21,6 @@ CASE = Case(id="I2", title="Drag of a sphere and its effective radius", tier="ci
             source="Hasimoto, J. Fluid Mech. 5 (1959) 317")
 
 OTHERS = {4: ((5, 32), (3, 36), (5, 40)), 3: ((3, 30), (5, 40)), 2: ((3, 30), (5, 40))}
-DEFAULT_INSET = {4: 0.485, 3: 0.365, 2: 0.277}  # of scenes, in nodes (coupling/surface_inset.cpp)
 SMEARED = ("the kernel smears the surface: the sphere is larger by the excess of its radius, an error of first order "
            "in dx/a")
 SECOND_ORDER = "a kernel of 4 nodes on a sphere of 6: second order in dx/a, 2.6 % at a = 5 dx"
@@ -29,7 +28,7 @@ SECOND_ORDER = "a kernel of 4 nodes on a sphere of 6: second order in dx/a, 2.6 
 
 def run(report):
     """Three kernels, calibrated at a = 4 in a box of 32."""
-    def drag(points, radius, box, tau=4, inset=0.0):
+    def drag(points, radius, box, tau=4, inset=0):
         return probe(report, "immersed_boundary", "drag", points, radius, box, tau, inset)["force_over_viscosity_speed"]
 
     for points, others in OTHERS.items():
@@ -42,7 +41,7 @@ def run(report):
             if radius == 5 and box == 40:
                 report.below("raw drag, %d points, a = 5 dx, L = 40 dx" % points,
                              100 * raw_error(found, radius, box), 5, unit="%", known_failure=SMEARED)
-            under = drag(points, radius, box, inset=DEFAULT_INSET[points])
+            under = drag(points, radius, box, inset=1)
             report.below("raw drag with markers under the surface, %d points, a = %d dx, L = %d dx"
                          % (points, radius, box), 100 * raw_error(under, radius, box), 5, unit="%",
                          known_failure=SECOND_ORDER if (points, radius) == (4, 3) else "")

@@ -112,7 +112,8 @@ void kernel(int points) {
 }
 
 /// F / (mu U) of a sphere in a periodic cubic box: a surface of vertices under uniform traction, the fluid holds the
-/// opposite body force; U relative to the fluid as a whole. Fluid and sphere meet `inset` nodes under the vertices.
+/// opposite body force; U relative to the fluid as a whole. Fluid and sphere meet `inset`
+/// times the excess of the kernel under the vertices; scenes have 1.
 void drag(int points, double radius, int box, double tau, double inset) {
   SerialCommunicator self;
   const double total_force = 1e-4, volume = std::pow(box, 3);
@@ -134,7 +135,7 @@ void drag(int points, double radius, int box, double tau, double inset) {
 
   std::vector<VertexId> ids;
   for (std::size_t v = 0; v < area.size(); ++v) ids.push_back({0, static_cast<int>(v)});
-  SurfaceInset surface(setup, inset);
+  SurfaceInset surface(setup, inset * kernel_excess(points));
   const auto placed = surface.place(ids, positions);
   const std::vector<double> markers(placed.begin(), placed.end());
   surface.to_markers(forces);
